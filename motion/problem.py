@@ -1,0 +1,125 @@
+"""The optimisation problem: segments, their samples, and E (paper, section 2.4).
+
+    E = sum over segments of T / S * sum over S samples of (e_physics + e_comfort),   samples at (j + 1/2) T / S
+
+Everything of a sample that does not depend on the unknown control points (who stands, points of support, where the leg
+begins) is laid down once; solvers then only move control points.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from motion import cost, spline
+from motion.jit import jit
+
+
+class Problem(NamedTuple):
+    """m segments with S samples each; world frame, SI units."""
+
+    time: np.ndarray  # (m + 1,) of the control points [s]
+    support_point: np.ndarray  # (m, S, 2, 3) point of support per foot [m]
+    leg_origin: np.ndarray  # (m, S, 2, 3) ankle minus the hip's offset from the com [m]: leg length = |com - this|
+    standing: np.ndarray  # (m, S, 2) bool
+    fixed: np.ndarray  # (m + 1,) bool: control points that may not move
+    nominal_length: float  # [m]
+    comfort_weight: float  # [1/s^2/m]
+
+
+@jit
+def empty_problem(segments, samples, nominal_length, comfort_weight):
+    """A problem of that size with nobody standing and nothing fixed."""
+    return Problem(
+        np.zeros(segments + 1),
+        np.zeros((segments, samples, 2, 3)),
+        np.zeros((segments, samples, 2, 3)),
+        np.zeros((segments, samples, 2), np.bool_),
+        np.zeros(segments + 1, np.bool_),
+        nominal_length,
+        comfort_weight,
+    )
+
+
+@jit
+def sample_state(control, i, s, duration):
+    """com and needed force w = a - g of segment i at fraction s, as six floats."""
+    p = spline.position_weights(s, duration)
+    b = spline.acceleration_weights(s, duration)
+    u, v = control[i], control[i + 1]
+    return (
+        p[0] * u[0] + p[1] * u[3] + p[2] * v[0] + p[3] * v[3],
+        p[0] * u[1] + p[1] * u[4] + p[2] * v[1] + p[3] * v[4],
+        p[0] * u[2] + p[1] * u[5] + p[2] * v[2] + p[3] * v[5],
+        b[0] * u[0] + b[1] * u[3] + b[2] * v[0] + b[3] * v[3],
+        b[0] * u[1] + b[1] * u[4] + b[2] * v[1] + b[3] * v[4],
+        b[0] * u[2] + b[1] * u[5] + b[2] * v[2] + b[3] * v[5] + cost.GRAVITY,
+    )
+
+
+@jit
+def segment_cost(problem, control, i):
+    """Segment i's share of E (the true norm, not smoothed)."""
+    samples = problem.support_point.shape[1]
+    duration = problem.time[i + 1] - problem.time[i]
+    e = 0.0
+    for j in range(samples):
+        c0, c1, c2, w0, w1, w2 = sample_state(control, i, (j + 0.5) / samples, duration)
+        standing = problem.standing[i, j]
+        e += cost.physics_cost(c0, c1, c2, w0, w1, w2, problem.support_point[i, j], standing)
+        e += cost.comfort_cost(
+            c0, c1, c2, problem.leg_origin[i, j], standing, problem.nominal_length, problem.comfort_weight
+        )
+    return e * duration / samples
+
+
+@jit
+def total_cost(problem, control):
+    """E of control (m + 1, 6)."""
+    e = 0.0
+    for i in range(len(problem.time) - 1):
+        e += segment_cost(problem, control, i)
+    return e
+
+
+@jit
+def straight_guess(problem, control, first):
+    """Control points that are not fixed, from `first` on: above the mean of the feet under them, moving with them."""
+    m = len(problem.time) - 1
+    last_sample = problem.support_point.shape[1] - 1
+    for i in range(first, m + 1):
+        if problem.fixed[i]:
+            continue
+        sums = np.zeros(3)
+        found = _add_origins(problem, max(i - 1, 0), last_sample, sums) + _add_origins(problem, min(i, m - 1), 0, sums)
+        control[i, :3] = sums / max(found, 1)
+        control[i, 2] += 0.97 * problem.nominal_length
+    for i in range(first, m + 1):
+        if not problem.fixed[i]:
+            _guess_velocity(problem, control, i)
+
+
+@jit
+def _add_origins(problem, i, j, sums):
+    found = 0
+    for leg in range(2):
+        if problem.standing[i, j, leg]:
+            sums += problem.leg_origin[i, j, leg]
+            found += 1
+    return found
+
+
+@jit
+def _guess_velocity(problem, control, i):
+    """Slope through the neighbours; beside a flight (both feet off at the middle sample) the ballistic one."""
+    m = len(problem.time) - 1
+    before, after = max(i - 1, 0), min(i + 1, m)
+    time = problem.time
+    for axis in range(3):
+        control[i, 3 + axis] = (control[after, axis] - control[before, axis]) / (time[after] - time[before])
+    middle = problem.support_point.shape[1] // 2
+    for segment, sign in ((i, 0.5), (i - 1, -0.5)):
+        if 0 <= segment < m and not problem.standing[segment, middle].any():
+            duration = time[segment + 1] - time[segment]
+            for axis in range(3):
+                control[i, 3 + axis] = (control[segment + 1, axis] - control[segment, axis]) / duration
+            control[i, 5] += sign * cost.GRAVITY * duration
