@@ -1,0 +1,70 @@
+"""Newton and greedy on the design's 12-step tracks, against each other and against scipy."""
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+
+from motion import greedy, newton
+from motion.problem import straight_guess, total_cost
+from tests.reference import twelve_steps
+
+TRACKS = {
+    "walk": dict(),
+    "run": dict(step_length=1.1, step_time=0.36, stance_time=0.26, flights=True),
+    "stairs": dict(step_length=0.35, step_time=0.6, stance_time=0.75, rise=0.17),
+}
+
+
+def solved(problem, method, how):
+    control = np.zeros((len(problem.time), 6))
+    straight_guess(problem, control, 0)
+    return method.minimise(problem, control, how)[0], control
+
+
+def test_newton_reaches_the_best_known_walk():
+    assert solved(twelve_steps(), newton, newton.SCENE)[0] <= 1.212
+    assert solved(twelve_steps(), newton, newton.TIGHT)[0] == pytest.approx(1.2006, abs=5e-4)
+
+
+@pytest.mark.parametrize("name", TRACKS)
+def test_newton_is_never_above_greedy(name):
+    problem = twelve_steps(**TRACKS[name])
+    best = solved(problem, greedy, greedy.DELTAS)[0]
+    assert solved(problem, newton, newton.SCENE)[0] <= best
+    assert solved(problem, newton, newton.LIVE)[0] <= best
+
+
+@pytest.mark.parametrize("name", TRACKS)
+def test_scipy_finds_nothing_better_nearby(name):
+    problem = twelve_steps(**TRACKS[name])
+    e, control = solved(problem, newton, newton.TIGHT)
+    work = newton.workspace(len(control) - 1)
+
+    def smooth(x):
+        value = newton.assemble(problem, x.reshape(-1, 6), 1e-4, work)
+        return value, work.gradient.ravel().copy()
+
+    found = minimize(smooth, control.ravel(), jac=True, method="L-BFGS-B", options={"maxiter": 500})
+    assert e <= 1.002 * total_cost(problem, found.x.reshape(-1, 6))
+
+
+def test_fixed_control_points_stay():
+    problem = twelve_steps()
+    problem.fixed[[0, 5, 12]] = True
+    control = np.zeros((13, 6))
+    control[:, :3] = problem.time[:, None] * [1.4, 0, 0] + [0, 0, 0.85]
+    before = control.copy()
+    straight_guess(problem, control, 0)
+    newton.minimise(problem, control, newton.SCENE)
+    np.testing.assert_array_equal(control[problem.fixed], before[problem.fixed])
+    assert not np.allclose(control[~problem.fixed], before[~problem.fixed])
+
+
+def test_greedy_never_climbs():
+    problem = twelve_steps()
+    control = np.zeros((13, 6))
+    straight_guess(problem, control, 0)
+    before = total_cost(problem, control)
+    coarse, _ = greedy.minimise(problem, control, np.array([0.06]))
+    fine, _ = greedy.minimise(problem, control, np.array([0.02]))
+    assert fine <= coarse < before

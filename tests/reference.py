@@ -1,0 +1,81 @@
+"""Slow twins of the kernels, written straight from the paper: plain numpy and scipy, no numba."""
+
+import numpy as np
+from scipy.optimize import nnls
+
+GRAVITY = np.array([0.0, 0.0, -9.81])
+
+
+def hermite(time, control, t):
+    """Position, velocity, acceleration of the spline at t from its polynomial coefficients. control (m + 1, 6)."""
+    i = min(max(int(np.searchsorted(time, t, side="right")) - 1, 0), len(time) - 2)
+    duration = time[i + 1] - time[i]
+    s = (t - time[i]) / duration
+    p0, m0, p1, m1 = control[i, :3], duration * control[i, 3:], control[i + 1, :3], duration * control[i + 1, 3:]
+    cubic, square = 2 * p0 + m0 - 2 * p1 + m1, -3 * p0 - 2 * m0 + 3 * p1 - m1
+    com = cubic * s**3 + square * s**2 + m0 * s + p0
+    velocity = (3 * cubic * s**2 + 2 * square * s + m0) / duration
+    return com, velocity, (6 * cubic * s + 2 * square) / duration**2
+
+
+def physics_cost(com, acceleration, supports):
+    """|F - w| with F the best non-negative combination of the legs' directions. supports: list of (3,)."""
+    w = acceleration - GRAVITY
+    if not supports:
+        return float(np.linalg.norm(w))
+    legs = np.array([(com - s) / np.linalg.norm(com - s) for s in supports]).T
+    return float(nnls(legs, w)[1])
+
+
+def comfort_cost(com, origins, nominal_length, weight):
+    """weight * sum of (l - l_nominal)^2."""
+    return weight * sum((np.linalg.norm(com - q) - nominal_length) ** 2 for q in origins)
+
+
+def total_cost(problem, control):
+    """E of a motion.problem.Problem, sample by sample."""
+    segments, samples = problem.standing.shape[:2]
+    e = 0.0
+    for i in range(segments):
+        duration = problem.time[i + 1] - problem.time[i]
+        for j in range(samples):
+            t = problem.time[i] + (j + 0.5) / samples * duration
+            com, _, acceleration = hermite(problem.time, control, t)
+            on = problem.standing[i, j]
+            part = physics_cost(com, acceleration, list(problem.support_point[i, j][on]))
+            part += comfort_cost(com, problem.leg_origin[i, j][on], problem.nominal_length, problem.comfort_weight)
+            e += part * duration / samples
+    return e
+
+
+def phases(side, contact, stance, begin, end, step=1e-3):
+    """Support rows (left, right footprint or -1) at closely spaced times: [(t, left, right)]."""
+    rows = []
+    for t in np.arange(begin + step / 2, end, step):
+        on = [-1, -1]
+        for i, (s, c, a) in enumerate(zip(side, contact, stance, strict=True)):
+            if c <= t < c + a:
+                on[s] = i
+        rows.append((t, *on))
+    return rows
+
+
+def twelve_steps(step_length=0.7, step_time=0.5, stance_time=0.6, rise=0.0, flights=False, samples=10, by_phase=False):
+    """The design's 12-step track as a motion Problem (segment per step, feet 0.2 m apart, no hip offset, free ends)."""
+    from motion.problem import empty_problem
+
+    edges = [i * step_time for i in range(13)]
+    if flights or by_phase:
+        edges += [i * step_time + (stance_time if flights else stance_time - step_time) for i in range(12)]
+    time = np.unique(np.round(edges, 9))
+    problem = empty_problem(len(time) - 1, samples, 0.9, 100.0)
+    problem.time[:] = time
+    for i, (begin, end) in enumerate(zip(time[:-1], time[1:], strict=True)):
+        for j in range(samples):
+            t = begin + (j + 0.5) / samples * (end - begin)
+            for n in range(12):
+                if n * step_time <= t < n * step_time + stance_time:
+                    point = (n * step_length, 0.1 - 0.2 * (n % 2), n * rise)
+                    problem.support_point[i, j, n % 2] = problem.leg_origin[i, j, n % 2] = point
+                    problem.standing[i, j, n % 2] = True
+    return problem
