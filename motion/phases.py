@@ -76,7 +76,7 @@ def build_phases(side, contact_time, stance_time, begin, end, time, support):
 
 
 @jit
-def merge_by_step(side, contact_time, time, support, m):
+def merge_by_step(time, support, m):
     """The paper's layout in place: one segment per step, a flight by itself. Returns the segment count."""
     kept = 0
     for i in range(m):

@@ -1,0 +1,59 @@
+"""Body heading: a function of the footprints alone (paper, section 2.5).
+
+The mean heading of footprints i and i + 1 holds at contact i; between contacts it goes linearly. That broken line runs
+half a step ahead of the body, and a box average over the last WINDOW seconds takes the lead back and rounds the corners:
+
+    heading(t) = 1/W integral over [t - W, t] of line(tau) dtau
+
+so the heading at t needs no footprint beyond the next, and never changes when later ones arrive.
+"""
+
+from motion.jit import jit
+
+WINDOW_STEPS = 1.0
+"""Length of the average in nominal step times sqrt(l / g) * 1.6: longer is calmer, but lags in a turn."""
+
+
+@jit
+def window_length(b):
+    """Seconds of the moving average, from the pendulum time of the character's leg."""
+    return WINDOW_STEPS * 1.6 * (b.nominal_length / 9.81) ** 0.5
+
+
+@jit
+def _value(track, i):
+    n = len(track.side)
+    j = min(i + 1, n - 1)
+    return 0.5 * (track.heading[i] + track.heading[j])
+
+
+@jit
+def body_heading(b, track, t):
+    """Heading of the body [rad] at time t, unwrapped."""
+    begin, total = t - window_length(b), 0.0
+    times = track.contact_time
+    n = len(times)
+    last = n - 1
+    while last > 0 and times[last] > t:
+        last -= 1
+    upper = t
+    for i in range(last, -1, -1):
+        lower = max(times[i], begin)
+        if lower < upper:
+            total += (upper - lower) * _line(track, i, 0.5 * (upper + lower))
+            upper = lower
+        if upper <= begin:
+            break
+    if upper > begin:
+        total += (upper - begin) * _value(track, 0)
+    return total / (t - begin)
+
+
+@jit
+def _line(track, i, t):
+    """The broken line at t >= contact i, before contact i + 1."""
+    if i + 1 >= len(track.side):
+        return _value(track, i)
+    span = track.contact_time[i + 1] - track.contact_time[i]
+    s = (t - track.contact_time[i]) / span if span > 0 else 0.0
+    return _value(track, i) + s * (_value(track, i + 1) - _value(track, i))
