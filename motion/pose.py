@@ -1,0 +1,147 @@
+"""The pose at any time, from the curve and the footprints alone: nothing is integrated, nothing drifts."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from motion import body, cost, foot, heading, legs, phases, spline, swing
+from motion.jit import jit
+
+
+class Pose(NamedTuple):
+    """C characters at one time, world frame, SI units; feet in the order LEFT, RIGHT.
+
+    `ankle` is the end of the virtual leg. A three-link leg has its `hock` between knee and ankle; in a two-link leg the
+    hock is the ankle. heel and toe are the ends of the sole, ball the point about which it bends.
+    """
+
+    com: np.ndarray  # (C, 3)
+    com_velocity: np.ndarray  # (C, 3)
+    com_acceleration: np.ndarray  # (C, 3)
+    body_rotation_wxyz: np.ndarray  # (C, 4) body to world; the hips follow its yaw alone
+    hip: np.ndarray  # (C, 2, 3)
+    knee: np.ndarray  # (C, 2, 3)
+    hock: np.ndarray  # (C, 2, 3)
+    ankle: np.ndarray  # (C, 2, 3)
+    heel: np.ndarray  # (C, 2, 3)
+    ball: np.ndarray  # (C, 2, 3)
+    toe: np.ndarray  # (C, 2, 3)
+    contact: np.ndarray  # (C, 2) bool, by timing
+    point_of_support: np.ndarray  # (C, 2, 3); NaN while the foot swings
+    phase: np.ndarray  # (C,) int64, motion.phases
+    physics_cost: np.ndarray  # (C,) [m/s^2]
+    comfort_cost: np.ndarray  # (C,)
+
+
+VECTORS = ("hip", "knee", "hock", "ankle", "heel", "ball", "toe")
+
+
+def empty_pose(c: int) -> Pose:
+    """A pose of c characters, all zero."""
+    shapes = {name: (c, 2, 3) for name in (*VECTORS, "point_of_support")}
+    shapes |= {name: (c, 3) for name in ("com", "com_velocity", "com_acceleration")} | {"body_rotation_wxyz": (c, 4)}
+    kinds = {"contact": ((c, 2), np.bool_), "phase": ((c,), np.int64)}
+    return Pose(
+        *(np.zeros(*kinds[name]) if name in kinds else np.zeros(shapes.get(name, (c,))) for name in Pose._fields)
+    )
+
+
+@jit
+def footprints_at(track, leg, t):
+    """(last, next) footprint of foot `leg` at time t: it stands on last, or swings from it to next; -1 for none."""
+    last, following = -1, -1
+    for i in range(len(track.side)):
+        if track.side[i] == leg:
+            if track.contact_time[i] <= t:
+                last = i
+            elif following < 0:
+                following = i
+    return last, following
+
+
+@jit
+def _set(array, c, leg, point):
+    array[c, leg, 0], array[c, leg, 1], array[c, leg, 2] = point
+
+
+@jit
+def _stand(b, track, n, t, pose, c, leg):
+    """The foot on footprint n at time t; a foot whose next footprint is not known yet stays where it stands."""
+    u = min(max((t - track.contact_time[n]) / track.stance_time[n], 0.0), 1.0)
+    pitch = foot.heel_off_angle(b, track.roll[n, 1], u)
+    position, yaw, normal = track.position[n], track.heading[n], track.normal[n]
+    _set(pose.ball, c, leg, foot.along_sole(position, yaw, normal, b.ball_forward, 0.0))
+    _set(pose.toe, c, leg, foot.along_sole(position, yaw, normal, 0.5 * b.foot_length, 0.0))
+    x, z = foot.about_ball(b, -0.5 * b.foot_length, 0.0, pitch)
+    _set(pose.heel, c, leg, foot.along_sole(position, yaw, normal, x, z))
+    _set(pose.ankle, c, leg, foot.stance_ankle(b, track, n, u))
+    return yaw
+
+
+@jit
+def _fly(b, track, last, following, stance, t, pose, c, leg):
+    """The foot on its way from footprint `last` to `following`."""
+    left = track.contact_time[last] + track.stance_time[last]
+    s = min(max((t - left) / (track.contact_time[following] - left), 0.0), 1.0)
+    ball, yaw, normal, pitch, flex = swing.sole_at(b, track, last, following, stance, s)
+    _set(pose.ball, c, leg, ball)
+    back = -0.5 * b.foot_length - b.ball_forward
+    toe = 0.5 * b.foot_length - b.ball_forward
+    _set(pose.heel, c, leg, swing.point_of_foot(b, ball, yaw, normal, back, 0.0, pitch))
+    _set(pose.toe, c, leg, swing.point_of_foot(b, ball, yaw, normal, toe, 0.0, pitch - flex))
+    ahead = b.ankle_forward - b.ball_forward
+    _set(pose.ankle, c, leg, swing.point_of_foot(b, ball, yaw, normal, ahead, b.ankle_height, pitch))
+    return yaw
+
+
+@jit
+def _pose_leg(b, track, support, leg, yaw, t, pose, c):
+    n = support[leg]
+    pose.contact[c, leg] = n >= 0
+    if n >= 0:
+        u = min(max((t - track.contact_time[n]) / track.stance_time[n], 0.0), 1.0)
+        _set(pose.point_of_support, c, leg, foot.point_of_support(b, track, n, u))
+        toes = _stand(b, track, n, t, pose, c, leg)
+    else:
+        pose.point_of_support[c, leg] = np.nan
+        last, following = footprints_at(track, leg, t)
+        if following < 0:
+            toes = _stand(b, track, last, t, pose, c, leg)
+        elif last < 0:
+            toes = _stand(b, track, following, t, pose, c, leg)
+        else:
+            toes = _fly(b, track, last, following, support[1 - leg], t, pose, c, leg)
+    offset = foot.hip_offset(b, leg, yaw)
+    hip = (pose.com[c, 0] + offset[0], pose.com[c, 1] + offset[1], pose.com[c, 2] + offset[2])
+    _set(pose.hip, c, leg, hip)
+    ahead = 0.5 * (yaw + toes)
+    ankle = pose.ankle[c, leg]
+    knee, hock = legs.joints(b, hip, (ankle[0], ankle[1], ankle[2]), (np.cos(ahead), np.sin(ahead), 0.0))
+    _set(pose.knee, c, leg, knee)
+    _set(pose.hock, c, leg, hock)
+
+
+@jit
+def pose_kernel(b, track, curve_time, control, t, pose, c):
+    """Fills row c of `pose` with the character b at time t [s] of its track and curve ((m + 1,), (m + 1, 6))."""
+    com, acceleration = pose.com[c], pose.com_acceleration[c]
+    spline.evaluate(curve_time, control, t, com, pose.com_velocity[c], acceleration)
+    support = phases.support_at(track.side, track.contact_time, track.stance_time, 0, t)
+    yaw = heading.body_heading(b, track, t)
+    pose.phase[c] = phases.phase_of(support[0], support[1])
+    for leg in range(2):
+        _pose_leg(b, track, support, leg, yaw, t, pose, c)
+    pitch, roll = body.pitch_and_roll(b, yaw, acceleration)
+    rotation = body.quaternion(yaw, pitch, roll)
+    for i in range(4):
+        pose.body_rotation_wxyz[c, i] = rotation[i]
+    standing, up = pose.contact[c], acceleration[2] + cost.GRAVITY
+    at = pose.point_of_support[c]
+    pose.physics_cost[c] = cost.physics_cost(
+        com[0], com[1], com[2], acceleration[0], acceleration[1], up, at, standing
+    )
+    pose.comfort_cost[c] = 0.0
+    for leg in range(2):
+        if standing[leg]:
+            length = np.sqrt(np.sum((pose.hip[c, leg] - pose.ankle[c, leg]) ** 2))
+            pose.comfort_cost[c] += b.comfort_weight * (length - b.nominal_length) ** 2

@@ -1,0 +1,95 @@
+"""The swinging foot: a function of its two footprints, its lift and the share s of the swing that has passed (section 2.5).
+
+The ball goes along the line between the footprints by the quintic 10 s^3 - 15 s^4 + 6 s^5, at rest at both ends, and is
+raised by lift * bump(s). The bump grows like s^2 while the way grows like s^3, so the foot rises before it goes forward
+and comes down after it has arrived: stair edges are cleared with little lift. The pitch with which the foot left fades,
+the toe droops less and less, and the foot bows sideways, away from the stance leg, where the line would cross it.
+"""
+
+from math import cos, sin
+
+from motion import foot
+from motion.jit import jit
+
+FLEX_FADE = 0.35
+"""Share of the swing in which the toes straighten."""
+PITCH_FADE = 0.7
+"""Share of the swing in which the foot becomes parallel to the ground again."""
+
+
+@jit
+def way(s):
+    """Share of the way at share s of the swing: at rest, without acceleration, at both ends."""
+    return s * s * s * (10 - 15 * s + 6 * s * s)
+
+
+@jit
+def bump(s):
+    """Share of the lift: 16 s^2 (1 - s)^2, 1 in the middle."""
+    return 16 * s * s * (1 - s) * (1 - s)
+
+
+@jit
+def fade(s, end):
+    """From 1 at 0 to 0 at `end`, smooth at both."""
+    x = min(s / end, 1.0)
+    return 1 - x * x * (3 - 2 * x)
+
+
+@jit
+def bow(b, start, goal, stance, s):
+    """Sideways offset (x, y) [m] that keeps the foot a step width from the stance foot, when it passes beside it."""
+    dx, dy = goal[0] - start[0], goal[1] - start[1]
+    length2 = dx * dx + dy * dy
+    if length2 < 1e-6:
+        return 0.0, 0.0
+    u = ((stance[0] - start[0]) * dx + (stance[1] - start[1]) * dy) / length2
+    if u <= 0 or u >= 1:
+        return 0.0, 0.0
+    length = length2**0.5
+    across = ((stance[0] - start[0]) * dy - (stance[1] - start[1]) * dx) / length
+    lack = max(b.foot_width * 1.2 - abs(across), 0.0)
+    amount = (-lack if across > 0 else lack) * 4 * bump(s) * u * (1 - u)
+    return amount * dy / length, -amount * dx / length
+
+
+@jit
+def sole_at(b, track, n, m, stance, s):
+    """Where the sole is at share s of the swing from footprint n to m.
+
+    Returns (ball (3), heading, normal (3), pitch of the foot, flex of the toes against it). stance: footprint that stands
+    meanwhile, -1 for none.
+    """
+    start = foot.along_sole(track.position[n], track.heading[n], track.normal[n], b.ball_forward, 0.0)
+    goal = foot.along_sole(track.position[m], track.heading[m], track.normal[m], b.ball_forward, 0.0)
+    w = way(s)
+    bx, by = 0.0, 0.0
+    if stance >= 0:
+        bx, by = bow(b, start, goal, track.position[stance], s)
+    ball = (
+        start[0] + w * (goal[0] - start[0]) + bx,
+        start[1] + w * (goal[1] - start[1]) + by,
+        start[2] + w * (goal[2] - start[2]) + track.lift[m] * bump(s),
+    )
+    heading = track.heading[n] + w * (track.heading[m] - track.heading[n])
+    nx = track.normal[n, 0] + w * (track.normal[m, 0] - track.normal[n, 0])
+    ny = track.normal[n, 1] + w * (track.normal[m, 1] - track.normal[n, 1])
+    nz = track.normal[n, 2] + w * (track.normal[m, 2] - track.normal[n, 2])
+    length = (nx * nx + ny * ny + nz * nz) ** 0.5
+    left_with = b.heel_off_angle if track.roll[n, 1] >= 1 else 0.0
+    pitch = left_with * fade(s, PITCH_FADE)
+    flex = left_with * fade(s, FLEX_FADE)
+    return ball, heading, (nx / length, ny / length, nz / length), pitch, flex
+
+
+@jit
+def point_of_foot(b, ball, heading, normal, forward, up, pitch):
+    """World point of the foot at (forward of the ball, up), pitched about the ball with the heel rising."""
+    f = foot.sole_axis(heading, normal)
+    c, s = cos(pitch), sin(pitch)
+    x, z = c * forward + s * up, c * up - s * forward
+    return (
+        ball[0] + x * f[0] + z * normal[0],
+        ball[1] + x * f[1] + z * normal[1],
+        ball[2] + x * f[2] + z * normal[2],
+    )

@@ -1,0 +1,55 @@
+"""Laying a sole on the ground, and lifting the foot over what lies between two footprints."""
+
+from math import cos, sin, sqrt
+
+from motion import swing
+from motion.jit import jit
+from worlds import queries
+from worlds.arrays import FLAT, HEIGHTMAP, HILLS
+
+SAMPLES = 13
+"""Shares of the swing at which the ground below the foot is asked for."""
+EDGE = 0.02
+"""A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
+
+
+@jit
+def lay_sole(b, w, x, y, heading, rock):
+    """(z, normal x, y, z) of a sole whose middle is at x, y: on a rock's flat top, or resting on the terrain.
+
+    On sloping ground the sole takes the slope between its ends and its sides, raised until no end is in the ground.
+    """
+    if rock >= 0:
+        return w.rocks[rock, 3], 0.0, 0.0, 1.0
+    if w.terrain_kind == FLAT:
+        return 0.0, 0.0, 0.0, 1.0
+    c, s = cos(heading), sin(heading)
+    half, wide = 0.5 * b.foot_length, 0.5 * b.foot_width
+    toe = queries.terrain_height(w, x + half * c, y + half * s)
+    heel = queries.terrain_height(w, x - half * c, y - half * s)
+    left = queries.terrain_height(w, x - wide * s, y + wide * c)
+    right = queries.terrain_height(w, x + wide * s, y - wide * c)
+    middle = queries.terrain_height(w, x, y)
+    if w.terrain_kind != HILLS and w.terrain_kind != HEIGHTMAP:
+        return max(max(toe, heel), middle), 0.0, 0.0, 1.0
+    along, across = (toe - heel) / (2 * half), (left - right) / (2 * wide)
+    dx, dy = along * c - across * s, along * s + across * c
+    length = sqrt(dx * dx + dy * dy + 1)
+    return max(middle, 0.5 * (toe + heel)), -dx / length, -dy / length, 1 / length
+
+
+@jit
+def swing_lift(b, w, track, n, m):
+    """Lift [m] for the swing from footprint n to m: heel, ball and toe clear the ground below by b.clearance."""
+    lift = b.clearance
+    back, ahead = -0.5 * b.foot_length - b.ball_forward, 0.5 * b.foot_length - b.ball_forward
+    track.lift[m] = 0.0
+    for k in range(1, SAMPLES):
+        s = k / SAMPLES
+        ball, heading, normal, pitch, flex = swing.sole_at(b, track, n, m, -1, s)
+        rise = swing.bump(s)
+        for forward, bend in ((back, pitch), (0.0, 0.0), (ahead, pitch - flex)):
+            p = swing.point_of_foot(b, ball, heading, normal, forward, 0.0, bend)
+            lack = queries.ground_height(w, p[0], p[1]) + b.clearance * min(2 * rise, 1.0) - p[2]
+            lift = max(lift, min(lack / rise, 3 * b.max_rise))
+    return lift

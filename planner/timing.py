@@ -1,0 +1,86 @@
+"""Timing from the distance stepped (paper, section 4.1 and Fig. 12).
+
+Dynamic similarity (Alexander 1976; coefficient for bipeds by Ruiz & Torices 2013): a stride S = 2s at hip height h goes at
+
+    v = 0.226 sqrt(g) S^1.67 h^-1.17,   step time b = s / v,   Froude number Fr = v^2 / (g h)
+
+Duty factor: 0.642 - 0.104 sqrt(Fr) while walking, 0.36 while running, which begins near Fr = 0.5; stance time a = 2 beta b.
+A step longer than the character's leap_length is a leap: its flight is ballistic, t = sqrt(2 d tan(alpha) / g).
+"""
+
+from math import exp, sqrt, tan
+
+from motion.jit import jit
+
+GRAVITY = 9.81
+RUNS_FROM = 0.5
+"""Froude number at which walking gives way to running."""
+RUNNING_DUTY = 0.36
+SHORTEST_STEP = 0.75
+LONGEST_STEP = 2.2
+"""Step time of a walk in pendulum times sqrt(h / g): shorter is scurrying, longer is dawdling."""
+LEAST_SWING = 0.9
+"""Shortest time for a swing, in pendulum times."""
+PUSH = 0.9
+"""Stance before a leap, in pendulum times."""
+SNAP = 0.02
+"""Overlaps and flights shorter than this [s] become none: a sliver of a phase is not to be seen."""
+
+
+@jit
+def pendulum_time(b):
+    """sqrt(h / g) [s]: the unit of time of a leg."""
+    return sqrt(b.hip_height / GRAVITY)
+
+
+@jit
+def speed(length, hip_height):
+    """Speed [m/s] of a gait with this step length [m]."""
+    return 0.226 * sqrt(GRAVITY) * (2 * length) ** 1.67 * hip_height**-1.17
+
+
+@jit
+def duty_factor(froude, smoothness):
+    """Share of the stride that a foot stands; smoothness 0 changes to the run abruptly, 1 over a wide range."""
+    walking = max(0.642 - 0.104 * sqrt(froude), RUNNING_DUTY)
+    width = 0.02 + 0.25 * smoothness
+    running = 1 / (1 + exp(-min(max((froude - RUNS_FROM) / width * 4, -50.0), 50.0)))
+    return walking + running * (RUNNING_DUTY - walking)
+
+
+@jit
+def least_step_time(b, overlap):
+    """Shortest step time after an overlap [s] of double stance, so that the leg has time to swing."""
+    return max(overlap, 0.0) + LEAST_SWING * pendulum_time(b)
+
+
+@jit
+def _snap(step, stance):
+    if abs(stance - step) < SNAP:
+        return step
+    return stance
+
+
+@jit
+def step_timing(b, length, rise, turn, same_side):
+    """(step time, stance time) [s] of the footprint that a step leaves.
+
+    length [m] horizontal, rise [m], turn [rad] >= 0; a hop on the same side is a leap of any length.
+    """
+    unit = pendulum_time(b)
+    slower = 1 + b.turn_slowdown * turn + b.rise_slowdown * abs(rise) / b.hip_height
+    if length > b.leap_length or same_side:
+        return _leap(b, length, rise, slower)
+    v = speed(max(length, 1e-3), b.hip_height)
+    step = min(max(length / v, SHORTEST_STEP * unit), LONGEST_STEP * unit) * slower
+    froude = (length / step) ** 2 / (GRAVITY * b.hip_height)
+    return step, _snap(step, 2 * duty_factor(froude, b.gait_smoothness) * step)
+
+
+@jit
+def _leap(b, length, rise, slower):
+    """Ballistic: d = v^2 sin(2 alpha) / g gives t^2 = 2 (d tan(alpha) - rise) / g; part of d is covered while standing."""
+    distance = max(length - 0.5 * b.leap_length, 0.3 * length)
+    flight = sqrt(2 * max(distance * tan(b.takeoff_angle) - rise, 0.04 * b.hip_height) / GRAVITY)
+    stance = PUSH * pendulum_time(b) * slower
+    return stance + flight, stance

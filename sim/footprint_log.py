@@ -1,0 +1,55 @@
+"""Every footprint of a run: what a recording and a measurement hold of them.
+
+A footprint's timing is final once its second successor is placed (the next settles step and stance time, the one after it
+may prolong the stance by standing on). So the log takes footprint n - 2 when n is placed, all characters at once, and the
+last two of each are read off the crowd when somebody asks.
+"""
+
+import numpy as np
+
+from sim.crowd import Crowd
+
+KEYS = ("side", "position", "heading", "normal", "contact_time", "stance_time", "step_time", "rock")
+
+
+class FootprintLog:
+    """Footprints placed so far. A foot that stands on prolongs its footprint instead of leaving another."""
+
+    def __init__(self) -> None:
+        self._chunks: list[dict[str, np.ndarray]] = []
+
+    def add(self, crowd: Crowd, placed: np.ndarray) -> None:
+        """Takes what became final when placed[c] (C,) footprints were placed."""
+        for k in range(int(placed.max())):
+            who = np.flatnonzero(placed > k)
+            back = placed[who] - k  # footprints placed from this one on, the newest included
+            self._chunks.append(_gather(crowd, who, crowd.count[who] - back - 2))
+
+    def arrays(self, crowd: Crowd) -> dict[str, np.ndarray]:
+        """The footprint_* arrays of a recording, in the order of their contacts."""
+        everyone = np.arange(len(crowd.kind))
+        pending = [_gather(crowd, everyone, crowd.count - 2), _gather(crowd, everyone, crowd.count - 1)]
+        chunks = self._chunks + pending
+        rows = {key: np.concatenate([chunk[key] for chunk in chunks]) for key in chunks[0]}
+        order = np.lexsort((rows["contact_time"], rows["character"]))
+        rows = _without_standing_on({key: value[order] for key, value in rows.items()})
+        order = np.lexsort((rows["character"], rows["contact_time"]))
+        return {f"footprint_{key}": value[order] for key, value in rows.items() if key != "stands"}
+
+
+def _gather(crowd: Crowd, who: np.ndarray, row: np.ndarray) -> dict[str, np.ndarray]:
+    chunk = {key: getattr(crowd, key)[who, row] for key in KEYS}
+    began = crowd.contact_time[who, row] <= 0
+    return {"character": who, **chunk, "stands": (crowd.roll[who, row, 0] == 0.5) & ~began}
+
+
+def _without_standing_on(rows: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Merges each row that stands on into the same foot's row before it."""
+    owner: dict[tuple[int, int], int] = {}
+    for i, key in enumerate(zip(rows["character"].tolist(), rows["side"].tolist(), strict=True)):
+        if rows["stands"][i] and key in owner:
+            first = owner[key]
+            rows["stance_time"][first] = rows["contact_time"][i] + rows["stance_time"][i] - rows["contact_time"][first]
+        else:
+            owner[key] = i
+    return {key: value[~rows["stands"]] for key, value in rows.items()}

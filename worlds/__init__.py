@@ -1,0 +1,1 @@
+"""Worlds: terrain, trees, rivers and rocks, with the questions that planners ask."""

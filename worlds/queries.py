@@ -1,0 +1,149 @@
+"""What planners ask of a world at a point: kernels that look into one grid cell."""
+
+from math import atan2, cos, floor, hypot, sin, sqrt
+
+from motion.jit import jit
+from worlds.arrays import CELL, FLAT, HEIGHTMAP, HILLS, REACH, SPIRAL_STAIRS, STAIRS
+
+TAU = 6.283185307179586
+
+
+@jit
+def terrain_height(w, x, y):
+    """Height of the bare ground [m]. Beyond the border the terrain goes on."""
+    p = w.terrain
+    if w.terrain_kind == FLAT:
+        return 0.0
+    if w.terrain_kind == HILLS:
+        k = TAU / p[1]
+        broad = sin(k * x + p[2]) * cos(0.8 * k * y + p[3])
+        return p[0] * (broad + 0.35 * sin(2.1 * k * y + 1.3 * k * x + p[4]))
+    if w.terrain_kind == STAIRS:
+        return p[1] * min(max(floor((x - p[0]) / p[2]) + 1, 0.0), p[3])
+    if w.terrain_kind == SPIRAL_STAIRS:
+        return _spiral_height(p, x, y)
+    if w.terrain_kind == HEIGHTMAP:
+        return _map_height(w.heights, x / p[0], y / p[0])
+    return 0.0
+
+
+@jit
+def _spiral_height(p, x, y):
+    """Treads turn counter-clockwise about (p0, p1) between the radii p2 and p3, each p4 higher, p5 of them to a turn."""
+    dx, dy = x - p[0], y - p[1]
+    r = hypot(dx, dy)
+    if r < p[2] or r > p[3]:
+        return 0.0
+    angle = _angle(dy, dx)
+    return p[4] * min(floor(angle / TAU * p[5]), p[5] - 1)
+
+
+@jit
+def _angle(dy, dx):
+    from_axis = atan2(dy, dx)
+    return from_axis if from_axis >= 0 else from_axis + TAU
+
+
+@jit
+def _map_height(heights, column, row):
+    """Bilinear in a heightmap, constant beyond its edge."""
+    rows, columns = heights.shape
+    column = min(max(column, 0.0), columns - 1.0)
+    row = min(max(row, 0.0), rows - 1.0)
+    i, j = min(int(row), max(rows - 2, 0)), min(int(column), max(columns - 2, 0))
+    u, v = column - j, row - i
+    k, m = min(i + 1, rows - 1), min(j + 1, columns - 1)
+    return (1 - v) * ((1 - u) * heights[i, j] + u * heights[i, m]) + v * ((1 - u) * heights[k, j] + u * heights[k, m])
+
+
+@jit
+def terrain_normal(w, x, y, span):
+    """Unit normal of the ground by central differences over +-span [m]."""
+    dx = (terrain_height(w, x + span, y) - terrain_height(w, x - span, y)) / (2 * span)
+    dy = (terrain_height(w, x, y + span) - terrain_height(w, x, y - span)) / (2 * span)
+    length = sqrt(dx * dx + dy * dy + 1)
+    return -dx / length, -dy / length, 1 / length
+
+
+@jit
+def cell_of(w, x, y):
+    """Grid cell of a point; points outside belong to the nearest one."""
+    rows = (len(w.tree_start) - 1) // w.columns
+    row = min(max(int(floor(y / CELL)), 0), rows - 1)
+    column = min(max(int(floor(x / CELL)), 0), w.columns - 1)
+    return row * w.columns + column
+
+
+@jit
+def border_clearance(w, x, y):
+    """Distance to the border [m], negative outside."""
+    return min(x - w.bounds[0], y - w.bounds[1], w.bounds[2] - x, w.bounds[3] - y)
+
+
+@jit
+def tree_clearance(w, x, y):
+    """Distance to the nearest trunk's surface [m], negative inside, at most REACH."""
+    cell, nearest = cell_of(w, x, y), REACH
+    for k in range(w.tree_start[cell], w.tree_start[cell + 1]):
+        tree = w.trees[w.tree_index[k]]
+        nearest = min(nearest, hypot(x - tree[0], y - tree[1]) - tree[2])
+    return nearest
+
+
+@jit
+def water_clearance(w, x, y):
+    """Distance to the nearest water's edge [m], negative in the water, at most REACH. Rocks do not count."""
+    cell, nearest = cell_of(w, x, y), REACH
+    for k in range(w.bank_start[cell], w.bank_start[cell + 1]):
+        piece = w.banks[w.bank_index[k]]
+        dx, dy = piece[2] - piece[0], piece[3] - piece[1]
+        length2 = max(dx * dx + dy * dy, 1e-12)
+        s = min(max(((x - piece[0]) * dx + (y - piece[1]) * dy) / length2, 0.0), 1.0)
+        nearest = min(nearest, hypot(x - piece[0] - s * dx, y - piece[1] - s * dy) - piece[4])
+    return nearest
+
+
+@jit
+def clearance(w, x, y):
+    """Distance to the nearest tree, water or border [m], negative inside one, at most REACH."""
+    return min(border_clearance(w, x, y), tree_clearance(w, x, y), water_clearance(w, x, y))
+
+
+@jit
+def path_clearance(w, x0, y0, x1, y1):
+    """Least clearance along a line, to 5 cm: it changes no faster than one moves, so whole stretches are skipped."""
+    length = hypot(x1 - x0, y1 - y0)
+    done, least = 0.0, REACH
+    while True:
+        s = min(done / length, 1.0) if length > 0 else 1.0
+        here = clearance(w, x0 + s * (x1 - x0), y0 + s * (y1 - y0))
+        least = min(least, here)
+        if s >= 1 or here <= 0:
+            return least
+        done += max(here - least, 0.05)
+
+
+@jit
+def rock_under(w, x, y, margin):
+    """Index of the highest rock on which a point lies at least `margin` [m] from the edge, -1 for none."""
+    cell, found = cell_of(w, x, y), -1
+    for k in range(w.rock_start[cell], w.rock_start[cell + 1]):
+        i = w.rock_index[k]
+        inside = hypot(x - w.rocks[i, 0], y - w.rocks[i, 1]) <= w.rocks[i, 2] - margin
+        if inside and (found < 0 or w.rocks[i, 3] > w.rocks[found, 3]):
+            found = i
+    return found
+
+
+@jit
+def ground_height(w, x, y):
+    """Height of what one would step on [m]: the terrain or a rock's top."""
+    rock = rock_under(w, x, y, 0.0)
+    height = terrain_height(w, x, y)
+    return max(height, w.rocks[rock, 3]) if rock >= 0 else height
+
+
+@jit
+def in_water(w, x, y):
+    """Whether a point lies in water and on no rock."""
+    return water_clearance(w, x, y) < 0 and rock_under(w, x, y, 0.0) < 0
