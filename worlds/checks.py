@@ -1,0 +1,32 @@
+"""What a well-formed level may still get wrong: things outside, in trees, in water."""
+
+from worlds.queries import border_clearance, in_water, tree_clearance
+from worlds.world import World
+
+
+def faults(world: World) -> list[str]:
+    """Every fault, each with key, value and what is allowed."""
+    found = _place_faults(world, "start", world.start)
+    if world.goal is not None:
+        found += _place_faults(world, "goal", world.goal)
+    for key, discs in (("tree", world.trees), ("rock", world.rocks)):
+        for i, (x, y) in enumerate(discs[:, :2]):
+            if border_clearance(world.arrays, x, y) < 0:
+                found.append(f"{key}.{i}.position = [{x:g}, {y:g}]: {_outside(world)}")
+    return found
+
+
+def _outside(world: World) -> str:
+    return f"is outside the world; 0..{world.size[0]:g} by 0..{world.size[1]:g} is allowed"
+
+
+def _place_faults(world: World, key: str, place: tuple[float, float]) -> list[str]:
+    said = f"{key}.position = [{place[0]:g}, {place[1]:g}]"
+    if border_clearance(world.arrays, *place) < 0:
+        return [f"{said}: {_outside(world)}"]
+    found = []
+    if tree_clearance(world.arrays, *place) <= 0:
+        found.append(f"{said}: is inside a tree; move it, or the tree")
+    if in_water(world.arrays, *place):
+        found.append(f"{said}: is in water; move it to land or onto a rock")
+    return found
