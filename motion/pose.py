@@ -33,6 +33,8 @@ class Pose(NamedTuple):
     comfort_cost: np.ndarray  # (C,)
 
 
+FREE_REACH = 0.97
+"""A swinging leg keeps below this share of its full length; a standing one reaches for its footprint whatever it takes."""
 VECTORS = ("hip", "knee", "hock", "ankle", "heel", "ball", "toe")
 
 
@@ -91,12 +93,30 @@ def _fly(b, track, last, following, stance, t, pose, c, leg):
     _set(pose.toe, c, leg, swing.point_of_foot(b, ball, yaw, normal, toe, 0.0, pitch - flex))
     ahead = b.ankle_forward - b.ball_forward
     _set(pose.ankle, c, leg, swing.point_of_foot(b, ball, yaw, normal, ahead, b.ankle_height, pitch))
-    return yaw
+    return s, yaw
+
+
+@jit
+def _pull_in(b, hip, s, pose, c, leg):
+    """Draws a swinging foot toward its hip where the leg would be longer than it is, as far as it is off its footprints."""
+    ankle = pose.ankle[c, leg]
+    x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
+    length = np.sqrt(x * x + y * y + z * z)
+    excess = length - FREE_REACH * b.max_length
+    if excess > 0:
+        share = min(4 * swing.bump(s), 1.0) * excess / length
+        for array in (pose.ankle, pose.heel, pose.ball, pose.toe):
+            array[c, leg, 0] -= share * x
+            array[c, leg, 1] -= share * y
+            array[c, leg, 2] -= share * z
 
 
 @jit
 def _pose_leg(b, track, support, leg, yaw, t, pose, c):
     n = support[leg]
+    offset = foot.hip_offset(b, leg, yaw)
+    hip = (pose.com[c, 0] + offset[0], pose.com[c, 1] + offset[1], pose.com[c, 2] + offset[2])
+    _set(pose.hip, c, leg, hip)
     pose.contact[c, leg] = n >= 0
     if n >= 0:
         u = min(max((t - track.contact_time[n]) / track.stance_time[n], 0.0), 1.0)
@@ -110,10 +130,8 @@ def _pose_leg(b, track, support, leg, yaw, t, pose, c):
         elif last < 0:
             toes = _stand(b, track, following, t, pose, c, leg)
         else:
-            toes = _fly(b, track, last, following, support[1 - leg], t, pose, c, leg)
-    offset = foot.hip_offset(b, leg, yaw)
-    hip = (pose.com[c, 0] + offset[0], pose.com[c, 1] + offset[1], pose.com[c, 2] + offset[2])
-    _set(pose.hip, c, leg, hip)
+            s, toes = _fly(b, track, last, following, support[1 - leg], t, pose, c, leg)
+            _pull_in(b, hip, s, pose, c, leg)
     ahead = 0.5 * (yaw + toes)
     ankle = pose.ankle[c, leg]
     knee, hock = legs.joints(b, hip, (ankle[0], ankle[1], ankle[2]), (np.cos(ahead), np.sin(ahead), 0.0))

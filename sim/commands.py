@@ -1,0 +1,152 @@
+"""The commands of the command line: each takes the parsed options and returns the exit status."""
+
+import json
+import os
+import sys
+import time
+from pathlib import Path
+
+from motion.biped import CharacterError, load_biped
+from planner.rock_hop import NoWay, RockHop
+from planner.wandering import Wander
+from sim.measure import in_words, measure
+from sim.recording import Recorder, load_recording
+from sim.run import run as run_headless
+from sim.simulation import Simulation
+from worlds.errors import InputError
+from worlds.level import level_names, load_level
+
+DONE, BAD_INPUT, IMPOSSIBLE = 0, 2, 3
+HEADLESS_SECONDS = 20.0
+LEFT_BEHIND = ("footfall.png", "footfall.npz")
+"""Picture and recording left where there is no display and nothing else was asked for."""
+
+
+def run(options) -> int:
+    """Runs the command of `options`; errors of people become one message and a status."""
+    commands = {"wander": _walk, "river": _walk, "measure": _measure, "check": _check, "bench": _bench}
+    try:
+        return commands[options.command](options)
+    except (InputError, CharacterError) as error:
+        print(f"footfall: {error}", file=sys.stderr)
+        return BAD_INPUT
+    except NoWay as error:
+        print(f"footfall: {error}", file=sys.stderr)
+        return IMPOSSIBLE
+
+
+def make_simulation(level, character, characters: int, seed: int, river: bool) -> Simulation:
+    """A simulation of `characters` of one kind on a level (name, path), crossing to its goal or wandering."""
+    world = load_level(level)
+    if river and world.goal is None:
+        raise InputError(f"{level}: has no [goal]; `river` needs one (position, radius)")
+    crowd = [load_biped(character)] * characters
+    return Simulation(world, crowd, RockHop() if river else Wander(), seed)
+
+
+def _walk(options) -> int:
+    _writable(options.record, options.screenshot, options.video)
+
+    def make(level=options.level, character=options.character, seed=options.seed) -> Simulation:
+        return make_simulation(level, character, options.characters, seed, options.command == "river")
+
+    sim = make()
+    _warm_up(sim, options.json)
+    if options.headless or not _has_display():
+        return _headless(options, sim)
+    from sim.view.app import run_window
+
+    levels = [name for name in level_names() if (load_level(name).goal is not None) == (options.command == "river")]
+    return run_window(make, sim, options, levels)
+
+
+def _writable(*paths: str | None) -> None:
+    for path in filter(None, paths):
+        folder = Path(path).resolve().parent
+        if not folder.is_dir() or not os.access(folder, os.W_OK):
+            raise InputError(f"{path}: the folder {folder} does not exist or cannot be written")
+
+
+def _has_display() -> bool:
+    if os.environ.get("SDL_VIDEODRIVER"):
+        return os.environ["SDL_VIDEODRIVER"] != "dummy"
+    return sys.platform in ("win32", "darwin") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def _warm_up(sim: Simulation, quiet: bool) -> None:
+    """The first tick compiles the kernels, once per change of the program: say so where it takes long."""
+    begin = time.perf_counter()
+    if not quiet:
+        print("Getting ready (the first start compiles for up to a minute) ...", file=sys.stderr, flush=True)
+    sim.tick()
+    sim.snapshot()
+    if not quiet:
+        print(f"Ready after {time.perf_counter() - begin:.1f} s.", file=sys.stderr, flush=True)
+
+
+def _headless(options, sim: Simulation) -> int:
+    """Runs without a window; leaves what was asked for, or a picture and a recording."""
+    picture, record = options.screenshot, options.record
+    if not options.headless and not (picture or record or options.video):
+        print("There is no display: running headless.", file=sys.stderr)
+        picture, record = LEFT_BEHIND
+    recorder = Recorder(sim) if record else None
+    video = None
+    if options.video:
+        from sim.view.offscreen import VideoWriter
+
+        video = VideoWriter(sim, options.video, options.size)
+    try:
+        summary = run_headless(
+            sim, options.seconds or HEADLESS_SECONDS, recorder, video.add if video else None, options.json
+        )
+    finally:
+        if video:
+            video.close()
+    if recorder:
+        recorder.save(record)
+    if picture:
+        from sim.view.offscreen import render_image
+
+        render_image(sim, picture, options.size)
+    _tell(options, summary, [name for name in (picture, record, options.video) if name])
+    return DONE
+
+
+def _tell(options, summary: dict, files: list[str]) -> None:
+    if options.json:
+        print(json.dumps(summary))
+        return
+    print(
+        f"{summary['level']}: {summary['seconds']:.1f} s, {summary['steps']} steps, {summary['distance']:.1f} m"
+        + (f", goal reached after {summary['seconds_to_goal']:.1f} s" if summary["reached_goal"] else "")
+    )
+    for name in files:
+        print(f"wrote {Path(name).resolve()}")
+
+
+def _measure(options) -> int:
+    report = measure(load_recording(options.recording))
+    print(json.dumps(report) if options.json else in_words(report))
+    return DONE
+
+
+def _check(options) -> int:
+    faults = 0
+    for name in options.files:
+        try:
+            world = load_level(name)
+        except InputError as error:
+            print(error, file=sys.stderr)
+            faults += 1
+        else:
+            print(f"{name}: fine ({world.name}: {len(world.trees)} trees, {len(world.rocks)} rocks)")
+    return BAD_INPUT if faults else DONE
+
+
+def _bench(options) -> int:
+    from sim.bench import report
+
+    results = report.run(options.quick)
+    print(json.dumps(results) if options.json else report.in_words(results))
+    return DONE

@@ -1,0 +1,109 @@
+"""Recordings: a run as arrays in one .npz file, without pickles, written whole or not at all."""
+
+import json
+import os
+import platform
+import zipfile
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+
+import numpy as np
+
+from motion.pose import Pose
+from sim.simulation import Simulation
+from worlds.errors import InputError
+from worlds.world import World
+
+FORMAT = 1
+RATE = 60
+"""Frames per second of simulated time."""
+NEEDED = ("time", "com", "contact", "phase", "physics_cost", "footprint_position", "meta")
+
+
+class Recorder:
+    """Collects frames of a simulation. Memory grows with the frames: about 600 bytes per character and frame."""
+
+    def __init__(self, sim: Simulation) -> None:
+        self.sim = sim
+        self.time: list[float] = []
+        self.poses: list[Pose] = []
+
+    def capture(self) -> None:
+        """Adds the present moment as a frame."""
+        self.time.append(self.sim.time)
+        self.poses.append(self.sim.snapshot())
+
+    def arrays(self) -> dict[str, np.ndarray]:
+        """All arrays of the file (names and shapes in README, Recordings)."""
+        frames = {name: np.array([getattr(pose, name) for pose in self.poses]) for name in Pose._fields}
+        world = self.sim.world
+        return {
+            "time": np.array(self.time),
+            **frames,
+            **self.sim.footprints.arrays(self.sim.crowd),
+            "tree": world.arrays.trees,
+            "rock": world.arrays.rocks,
+            "bounds": world.arrays.bounds,
+            "meta": np.array(json.dumps(self._meta(), sort_keys=True)),
+        }
+
+    def _meta(self) -> dict:
+        sim = self.sim
+        packages = {name: version(name) for name in ("numpy", "numba")}
+        return {
+            "format": FORMAT,
+            "program": "footfall",
+            "level": sim.world.name,
+            "seed": sim.seed,
+            "rate": sim.tick_rate,
+            "characters": [character.to_dict() for character in sim.characters],
+            "world": sim.world.to_dict(),
+            "versions": {"python": platform.python_version(), **packages},
+        }
+
+    def save(self, path: str | Path) -> None:
+        """Writes the recording. Raises InputError where it cannot be written."""
+        path = Path(path)
+        temporary = path.with_name(path.name + ".part")
+        try:
+            with open(temporary, "wb") as file:
+                np.savez_compressed(file, **self.arrays())
+            os.replace(temporary, path)
+        except OSError as error:
+            temporary.unlink(missing_ok=True)
+            raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A recorded run: its arrays by name, its meta, and the world it ran in."""
+
+    arrays: dict[str, np.ndarray]
+    meta: dict
+
+    @property
+    def world(self) -> World:
+        """The world as it was at the end of the run."""
+        return World.from_dict(self.meta["world"])
+
+
+def load_recording(path: str | Path) -> Recording:
+    """Reads a recording. Raises InputError for files that are none, or damaged."""
+    path = Path(path)
+    if not path.is_file():
+        raise InputError(f"{path}: no such file; a recording is made with --record RUN.npz")
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            arrays = {name: file[name] for name in file.files}
+        missing = [name for name in NEEDED if name not in arrays]
+        if missing:
+            raise InputError(f"{path}: is not a recording of Footfall: lacks {', '.join(missing)}")
+        meta = json.loads(str(arrays["meta"]))
+    except (ValueError, OSError, EOFError, zipfile.BadZipFile, KeyError, TypeError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"{path}: is not a readable recording ({error})") from None
+    if not isinstance(meta, dict) or meta.get("format") != FORMAT:
+        raise InputError(f"{path}: meta.format is not {FORMAT}; recorded by another version")
+    return Recording(arrays, meta)
