@@ -1,0 +1,77 @@
+"""The camera: follows, orbits, zooms, or looks straight down."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+NEAR, FAR = 0.1, 250.0
+FIELD_OF_VIEW = np.radians(42.0)
+
+
+@dataclass
+class Camera:
+    """Looks at `target` from `distance` [m] at azimuth and elevation [rad]; plan: from straight above."""
+
+    target: np.ndarray = field(default_factory=lambda: np.array([0.0, 0.0, 0.6]))
+    distance: float = 6.0
+    azimuth: float = -2.2
+    elevation: float = 0.32
+    plan: bool = False
+    follow: bool = True
+
+    def follow_point(self, point: np.ndarray, seconds: float) -> None:
+        """Moves the target toward a point, smoothly; only what is drawn depends on it."""
+        if self.follow:
+            self.target += (point - self.target) * (1 - np.exp(-4 * seconds))
+
+    def orbit(self, dx: float, dy: float) -> None:
+        """Turns by pixels of a drag."""
+        self.azimuth -= 0.006 * dx
+        self.elevation = float(np.clip(self.elevation + 0.006 * dy, 0.02, 1.5))
+
+    def zoom(self, clicks: float) -> None:
+        """Nearer for positive clicks of the wheel."""
+        self.distance = float(np.clip(self.distance * 0.88**clicks, 1.2, 120.0))
+
+    @property
+    def eye(self) -> np.ndarray:
+        """Where the camera is [m]."""
+        elevation = 1.5533 if self.plan else self.elevation
+        c = np.cos(elevation)
+        away = np.array([c * np.cos(self.azimuth), c * np.sin(self.azimuth), np.sin(elevation)])
+        return self.target + (2.2 if self.plan else 1.0) * self.distance * away
+
+    def matrix(self, aspect: float) -> np.ndarray:
+        """World to clip space, (4, 4), for column vectors."""
+        return perspective(aspect) @ look_at(self.eye, self.target)
+
+    def ray(self, x: float, y: float, aspect: float) -> tuple[np.ndarray, np.ndarray]:
+        """Origin and direction through x, y in -1..1 (y up)."""
+        back = np.linalg.inv(self.matrix(aspect)) @ np.array([x, y, 1.0, 1.0])
+        direction = back[:3] / back[3] - self.eye
+        return self.eye, direction / np.linalg.norm(direction)
+
+
+def perspective(aspect: float) -> np.ndarray:
+    """OpenGL's perspective projection."""
+    f = 1 / np.tan(FIELD_OF_VIEW / 2)
+    depth = NEAR - FAR
+    return np.array([
+        [f / aspect, 0, 0, 0], [0, f, 0, 0], [0, 0, (NEAR + FAR) / depth, 2 * NEAR * FAR / depth], [0, 0, -1, 0]
+    ])  # fmt: skip
+
+
+def orthographic(half: float, depth: float) -> np.ndarray:
+    """A box of +-half by +-half, from 0 to depth ahead."""
+    return np.array([[1 / half, 0, 0, 0], [0, 1 / half, 0, 0], [0, 0, -2 / depth, -1], [0, 0, 0, 1]])
+
+
+def look_at(eye: np.ndarray, target: np.ndarray) -> np.ndarray:
+    """World to camera; z up."""
+    forward = (target - eye) / np.linalg.norm(target - eye)
+    right = np.cross(forward, [0.0, 0.0, 1.0])
+    right /= np.linalg.norm(right)
+    rotation = np.array([right, np.cross(right, forward), -forward])
+    out = np.eye(4)
+    out[:3, :3], out[:3, 3] = rotation, -rotation @ eye
+    return out

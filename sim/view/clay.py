@@ -1,0 +1,48 @@
+"""Bodies are modelled of tapered capsules, (N, 12): end a and its radius, end b and its radius, colour, glow."""
+
+import numpy as np
+
+
+class Clay:
+    """Collects capsules of many characters at once: every argument is per character, (C, ...), or one for all."""
+
+    def __init__(self) -> None:
+        self._parts: list[np.ndarray] = []
+
+    def add(self, a: np.ndarray, ra: float, b: np.ndarray, rb: float, colour, glow: float = 0.0) -> None:
+        """Capsules from a (C, 3) with radius ra to b (C, 3) with radius rb [m]."""
+        rows = np.empty((len(a), 12), "f4")
+        rows[:, 0:3], rows[:, 3], rows[:, 4:7], rows[:, 7] = a, ra, b, rb
+        rows[:, 8:11], rows[:, 11] = colour, glow
+        self._parts.append(rows)
+
+    def ball(self, a: np.ndarray, radius: float, colour, glow: float = 0.0) -> None:
+        """Spheres at a (C, 3)."""
+        self.add(a, radius, a, radius, colour, glow)
+
+    def chain(self, points: list[np.ndarray], radii: list[float], colour) -> None:
+        """Capsules through points, each (C, 3)."""
+        for a, b, ra, rb in zip(points, points[1:], radii, radii[1:], strict=False):
+            self.add(a, ra, b, rb, colour)
+
+    def rows(self) -> np.ndarray:
+        """All capsules (N, 12)."""
+        return np.vstack(self._parts) if self._parts else np.zeros((0, 12), "f4")
+
+
+class Frame:
+    """The bodies' frames: places given forward, left, up of the com in units of leg length become world points."""
+
+    def __init__(self, com: np.ndarray, rotation_wxyz: np.ndarray, unit: float) -> None:
+        w, x, y, z = rotation_wxyz.T
+        self.forward = np.stack([1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)], axis=1)
+        self.left = np.stack([2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)], axis=1)
+        self.up = np.stack([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)], axis=1)
+        self.com, self.unit = com, unit
+
+    def at(self, forward, left, up) -> np.ndarray:
+        """World points (C, 3); arguments are numbers or (C,)."""
+        def column(v):
+            return np.reshape(v, (-1, 1)) * self.unit
+
+        return self.com + column(forward) * self.forward + column(left) * self.left + column(up) * self.up
