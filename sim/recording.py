@@ -29,10 +29,10 @@ class Recorder:
         self.time: list[float] = []
         self.poses: list[Pose] = []
 
-    def capture(self) -> None:
-        """Adds the present moment as a frame."""
-        self.time.append(self.sim.time)
-        self.poses.append(self.sim.snapshot())
+    def capture(self, time: float | None = None) -> None:
+        """Adds the present moment, or another of the last step [s], as a frame."""
+        self.time.append(self.sim.time if time is None else time)
+        self.poses.append(self.sim.snapshot(self.time[-1]))
 
     def arrays(self) -> dict[str, np.ndarray]:
         """All arrays of the file (names and shapes in README, Recordings)."""

@@ -5,7 +5,7 @@ import numpy as np
 from worlds.queries import terrain_height, tree_clearance, water_clearance
 from worlds.world import World
 
-GRASS, MOSS, SAND = np.array([0.46, 0.58, 0.30]), np.array([0.36, 0.49, 0.25]), np.array([0.74, 0.68, 0.48])
+GRASS, MOSS, SAND = np.array([0.47, 0.53, 0.29]), np.array([0.36, 0.44, 0.25]), np.array([0.74, 0.68, 0.48])
 BARK, STONE = np.array([0.40, 0.29, 0.20]), np.array([0.56, 0.55, 0.53])
 LEAVES = np.array([[0.30, 0.47, 0.20], [0.37, 0.53, 0.22], [0.24, 0.41, 0.22], [0.45, 0.54, 0.22]])
 WATER_BELOW = 0.06

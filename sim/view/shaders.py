@@ -35,10 +35,10 @@ float lit(vec3 p, float facing) {
 vec3 shade(vec3 colour, vec3 p, vec3 n) {
     float facing = max(dot(n, sun), 0.0);
     float light = facing > 0.0 ? facing * lit(p, facing) : 0.0;
-    vec3 ambient = mix(vec3(0.30, 0.27, 0.22), vec3(0.50, 0.58, 0.68), n.z * 0.5 + 0.5);
+    vec3 ambient = mix(vec3(0.34, 0.31, 0.27), vec3(0.56, 0.63, 0.72), n.z * 0.5 + 0.5);
     vec3 view = normalize(eye - p);
     float rim = pow(1.0 - max(dot(n, view), 0.0), 3.0) * 0.12;
-    vec3 c = colour * (ambient + light * vec3(1.05, 0.95, 0.78)) + rim * vec3(0.7, 0.8, 0.9);
+    vec3 c = colour * (ambient + light * vec3(0.86, 0.78, 0.62)) + rim * vec3(0.7, 0.8, 0.9);
     float fog = 1.0 - exp(-pow(length(eye - p) / 75.0, 1.6));
     return mix(c, sky_colour(normalize(p - eye) * vec3(1.0, 1.0, 0.2)), fog);
 }
@@ -52,7 +52,16 @@ void main() { p = in_position; n = in_normal; colour = in_colour; gl_Position = 
 """
 MESH_FRAGMENT = COMMON + LIGHT + """
 in vec3 p; in vec3 n; in vec3 colour; out vec4 pixel;
-void main() { pixel = tone(shade(colour, p, normalize(n))); }
+uniform vec4 focus;                     // place and radius that trees give the eye a way to; radius 0: they do not
+void main() {
+    if (focus.w > 0.0) {
+        vec3 way = focus.xyz - eye;
+        float t = dot(p - eye, way) / dot(way, way);
+        float off = length(p - eye - t * way) / (focus.w * (0.35 + 0.65 * clamp(t, 0.0, 1.0)));
+        float grain = fract(52.9829189 * fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715))));
+        if (t < 0.97 && off < 0.75 + 0.5 * grain) discard;
+    }
+    pixel = tone(shade(colour, p, normalize(n))); }
 """
 
 CAPSULE_VERTEX = COMMON + """

@@ -1,0 +1,263 @@
+"""The window: events in, time on, pictures out."""
+
+import sys
+import time as clock
+
+import numpy as np
+
+from sim.simulation import Simulation
+from sim.view import gl, picking
+from sim.view.camera import Camera
+from sim.view.plan_view import draw_plan
+from worlds.errors import InputError
+
+FRAME = 1 / 60
+MOST_TICKS = 6
+"""Ticks made up for in one frame after a stall; the rest of the backlog is dropped."""
+CHARACTERS = ("bird", "dinosaur", "human")
+HELP = (
+    "space  pause        .  single tick       [ ]  slower, faster",
+    "c  character        o  overlays          f  follow      v  plan view",
+    "r  restart          n  next level        tab  panel     h  help     esc  quit",
+    "drag: orbit   wheel: zoom   G+click: goal   T+click: tree   K+click: rock   X+click: remove",
+)
+
+
+class App:
+    """What the window shows and what keys and mouse do to it. Owns no GL: `screen` draws it."""
+
+    def __init__(self, make, sim: Simulation, options, levels: list[str]) -> None:
+        self.make, self.sim, self.levels = make, sim, levels
+        self.level, self.character, self.seed = options.level, options.character, options.seed
+        self.camera = Camera()
+        self.paused, self.speed, self.running = False, 1.0, True
+        self.show_overlays, self.show_panel, self.show_help = True, True, False
+        self.focus, self.behind, self.message = 0, 0.0, ""
+        self._tool: str | None = None
+        self._reset_view()
+
+    def _reset_view(self) -> None:
+        unit = float(self.sim.bipeds["nominal_length"][self.sim.crowd.kind[0]])
+        self.camera.distance = 6.5 * unit
+        self.camera.target = self.sim.snapshot().com[0].copy()
+        self.focus, self.behind = 0, 0.0
+
+    def advance(self, seconds: float) -> None:
+        """Lets wall time pass: whole ticks, at most MOST_TICKS."""
+        if self.paused:
+            return
+        self.behind += seconds * self.speed * self.sim.tick_rate
+        for _ in range(min(int(self.behind), MOST_TICKS)):
+            self.sim.tick()
+            self.behind -= 1
+        self.behind = min(self.behind, 1.0)
+
+    def rebuild(self) -> None:
+        """Starts over with the present level and character; says so where that cannot be, and keeps what runs."""
+        from planner.rock_hop import NoWay
+
+        try:
+            self.sim = self.make(self.level, self.character, self.seed)
+        except (InputError, NoWay) as error:
+            self.message = str(error)
+            return
+        self.message = self.sim.world.name
+        self._reset_view()
+
+    def key(self, name: str) -> None:
+        """A key was pressed."""
+        actions = {
+            "space": self._pause, ".": self._single, "[": self._slower, "]": self._faster, "c": self._next_character,
+            "o": self._overlays, "f": self._follow, "v": self._plan, "r": self.rebuild, "n": self._next_level,
+            "tab": self._panel, "h": self._help, "escape": self._quit,
+        }  # fmt: skip
+        if name in actions:
+            actions[name]()
+        elif name in "gtkx":
+            self._tool = name
+
+    def key_up(self, name: str) -> None:
+        """A key was let go."""
+        if name == self._tool:
+            self._tool = None
+
+    def _pause(self) -> None:
+        self.paused = not self.paused
+
+    def _single(self) -> None:
+        self.paused = True
+        self.sim.tick()
+
+    def _slower(self) -> None:
+        self.speed = max(self.speed / 2, 1 / 16)
+
+    def _faster(self) -> None:
+        self.speed = min(self.speed * 2, 4.0)
+
+    def _next_character(self) -> None:
+        known = self.character in CHARACTERS
+        self.character = CHARACTERS[(CHARACTERS.index(self.character) + 1) % 3] if known else CHARACTERS[0]
+        self.rebuild()
+
+    def _next_level(self) -> None:
+        place = self.levels.index(self.level) if self.level in self.levels else -1
+        self.level = self.levels[(place + 1) % len(self.levels)]
+        self.rebuild()
+
+    def _overlays(self) -> None:
+        self.show_overlays = not self.show_overlays
+
+    def _follow(self) -> None:
+        self.camera.follow = not self.camera.follow
+
+    def _plan(self) -> None:
+        self.camera.plan = not self.camera.plan
+
+    def _panel(self) -> None:
+        self.show_panel = not self.show_panel
+
+    def _help(self) -> None:
+        self.show_help = not self.show_help
+
+    def _quit(self) -> None:
+        self.running = False
+
+    def drag(self, dx: float, dy: float) -> None:
+        """The mouse moved with a button down."""
+        self.camera.orbit(dx, dy)
+
+    def click(self, x: float, y: float, aspect: float) -> None:
+        """A click at x, y in -1..1 (y up): what it does depends on the key that is held."""
+        place = picking.ground_point(self.sim.world, *self.camera.ray(x, y, aspect))
+        if self._tool and place is not None:
+            self.edit(self._tool, *place)
+
+    def edit(self, tool: str, x: float, y: float) -> None:
+        """g: goal, t: plant a tree, k: put a rock, x: remove the nearest tree or rock. Refuses what would trap someone."""
+        from planner.rock_hop import NoWay
+
+        before = self.sim.world
+        world, self.message = picking.edited(before, tool, x, y, self.sim.standing_on()[:, :, 1:3].reshape(-1, 2))
+        if world is before:
+            return
+        try:
+            self.sim.set_world(world)
+        except NoWay as error:
+            self.message = str(error)
+            self.sim.world = before
+
+
+def run_window(make, sim: Simulation, options, levels: list[str]) -> int:
+    """Opens the window and runs until it is closed, or for --seconds; returns the exit status."""
+    gl.prefer_egl_without_display()
+    import pygame
+
+    pygame.display.init()
+    app = App(make, sim, options, levels)
+    screen = _open_screen(pygame, options.size)
+    extras = _Extras(options, app.sim)
+    last, frames, began = clock.perf_counter(), 0, clock.perf_counter()
+    while app.running and (options.seconds is None or app.sim.time < options.seconds):
+        for event in pygame.event.get():
+            handle(app, screen, event, pygame)
+        now = clock.perf_counter()
+        # a recording holds every tick, whatever the frame rate
+        app.advance(now - last)
+        extras.follow(app.sim)
+        last = now
+        screen.draw(app)
+        frames += 1
+        clock.sleep(max(FRAME - (clock.perf_counter() - now), 0))
+    extras.end(app.sim)
+    shown = frames / max(clock.perf_counter() - began, 1e-9)
+    if options.json:
+        print(f'{{"frames_per_second": {shown:.1f}, "seconds": {app.sim.time}}}')
+    pygame.quit()
+    return 0
+
+
+class _Extras:
+    """--record and --screenshot of a window: the recording replays the same ticks, so it holds each of them."""
+
+    def __init__(self, options, sim: Simulation) -> None:
+        self.options = options
+        self.recorder = None
+        if options.record:
+            from sim.recording import Recorder
+
+            self.recorder = Recorder(sim)
+            self.recorder.capture()
+        self._ticks = sim.ticks
+
+    def follow(self, sim: Simulation) -> None:
+        """Captures the ticks that have passed: poses are functions of time, so they can be asked for afterwards."""
+        if self.recorder and self.recorder.sim is sim:
+            for tick in range(self._ticks + 1, sim.ticks + 1):
+                self.recorder.capture(tick / sim.tick_rate)
+            self._ticks = sim.ticks
+
+    def end(self, sim: Simulation) -> None:
+        """Writes what was asked for."""
+        if self.recorder:
+            self.recorder.save(self.options.record)
+        if self.options.screenshot:
+            from sim.view.offscreen import render_image
+
+            render_image(sim, self.options.screenshot, self.options.size)
+
+
+def handle(app: App, screen, event, pygame) -> None:
+    """One pygame event."""
+    if screen.takes(event):
+        return
+    if event.type == pygame.QUIT:
+        app.running = False
+    elif event.type == pygame.KEYDOWN:
+        app.key(pygame.key.name(event.key))
+    elif event.type == pygame.KEYUP:
+        app.key_up(pygame.key.name(event.key))
+    elif event.type == pygame.MOUSEWHEEL:
+        app.camera.zoom(event.y)
+    elif event.type == pygame.MOUSEMOTION and any(event.buttons):
+        app.drag(*event.rel)
+    elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+        width, height = screen.size
+        app.click(2 * event.pos[0] / width - 1, 1 - 2 * event.pos[1] / height, width / height)
+    elif event.type == pygame.VIDEORESIZE:
+        screen.resize(event.size)
+
+
+def _open_screen(pygame, size: tuple[int, int]):
+    """The 3D screen, or the plan view where there is no OpenGL."""
+    try:
+        from sim.view.screen import Screen3D
+
+        return Screen3D(pygame, size)
+    except (gl.NoGL, pygame.error) as error:
+        print(f"{gl.HINT} ({error}); showing the plan view", file=sys.stderr)
+        return PlanScreen(pygame, size)
+
+
+class PlanScreen:
+    """The window without OpenGL."""
+
+    def __init__(self, pygame, size: tuple[int, int]) -> None:
+        self.pygame, self.size = pygame, size
+        self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+        pygame.display.set_caption("Footfall (plan view)")
+
+    def takes(self, event) -> bool:
+        """No panel, so no event is taken."""
+        return False
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """The window has another size."""
+        self.size = size
+
+    def draw(self, app: App) -> None:
+        """One frame."""
+        app.camera.plan = True
+        pose = app.sim.snapshot()
+        app.camera.follow_point(pose.com[app.focus], FRAME)
+        draw_plan(self.surface, app.sim, np.asarray(app.camera.target[:2]), 3.0 * app.camera.distance)
+        self.pygame.display.flip()

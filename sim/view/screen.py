@@ -1,0 +1,106 @@
+"""The 3D window: a renderer whose effort adapts to the machine, and the panel."""
+
+import time as clock
+
+import moderngl
+
+from sim.view import gl
+from sim.view.renderer import Quality, Renderer
+
+LEVELS = (
+    Quality(2048, 4, 1.0), Quality(2048, 0, 1.0), Quality(1024, 0, 1.0), Quality(1024, 0, 0.75), Quality(512, 0, 0.6),
+    Quality(0, 0, 0.5),
+)  # fmt: skip
+TARGET = 1 / 30
+"""Seconds a frame may take: slower goes a level down, much faster one up."""
+SOFTWARE = ("llvmpipe", "softpipe", "swrast")
+
+
+class Screen3D:
+    """Draws an App in a pygame window with OpenGL."""
+
+    def __init__(self, pygame, size: tuple[int, int]) -> None:
+        self.pygame, self.size = pygame, size
+        flags = pygame.OPENGL | pygame.DOUBLEBUF | pygame.RESIZABLE
+        for key, value in (("CONTEXT_MAJOR_VERSION", 3), ("CONTEXT_MINOR_VERSION", 3)):
+            pygame.display.gl_set_attribute(getattr(pygame, f"GL_{key}"), value)
+        pygame.display.set_mode(size, flags)
+        pygame.display.set_caption("Footfall")
+        self.ctx = gl.window_context()
+        software = any(name in self.ctx.info["GL_RENDERER"] for name in SOFTWARE)
+        self.level = 2 if software else 0
+        self.renderer = Renderer(self.ctx, LEVELS[self.level])
+        self.panel = _panel(pygame, size)
+        self.seconds, self._since, self._last = TARGET, 0, clock.perf_counter()
+        self._target()
+
+    def _target(self) -> None:
+        """The picture is drawn at the quality's scale and samples, then blown up."""
+        quality = self.renderer.quality = LEVELS[self.level]
+        small = tuple(max(int(edge * quality.scale), 64) for edge in self.size)
+        samples = min(quality.samples, self.ctx.max_samples)
+        self.picture = self.ctx.texture(small, 3)
+        self.picture.filter = moderngl.LINEAR, moderngl.LINEAR
+        self.flat = self.ctx.framebuffer(self.picture)
+        self.target = self.ctx.framebuffer(
+            self.ctx.renderbuffer(small, 3, samples=samples), self.ctx.depth_renderbuffer(small, samples=samples)
+        )
+        self.copy = self.ctx.program(
+            vertex_shader="#version 330\nin vec2 c; out vec2 uv; void main(){uv=c*0.5+0.5;gl_Position=vec4(c,0.,1.);}",
+            fragment_shader="#version 330\nuniform sampler2D t; in vec2 uv; out vec4 o; void main(){o=texture(t,uv);}",
+        )
+        self.blow_up = self.ctx.simple_vertex_array(self.copy, self.renderer.corners, "c")
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """The window has another size."""
+        self.size = (max(size[0], 64), max(size[1], 64))
+        self._target()
+
+    def takes(self, event) -> bool:
+        """Whether the panel uses the event."""
+        return self.panel is not None and self.panel.takes(event)
+
+    def draw(self, app) -> None:
+        """One frame."""
+        pose = app.sim.snapshot()
+        app.camera.follow_point(pose.com[app.focus], self.seconds)
+        self.renderer.show_overlays = app.show_overlays
+        self.renderer.draw(self.target, app.sim, pose, app.camera, app.sim.time, app.focus)
+        self.ctx.copy_framebuffer(self.flat, self.target)
+        self.ctx.screen.use()
+        self.ctx.viewport = (0, 0, *self.size)
+        self.ctx.disable(moderngl.DEPTH_TEST)
+        self.picture.use(0)
+        self.blow_up.render()
+        if self.panel:
+            self.panel.draw(app, self.size, 1 / self.seconds)
+        self.ctx.enable_only(moderngl.DEPTH_TEST)
+        self.pygame.display.flip()
+        self._adapt()
+
+    def _adapt(self) -> None:
+        now = clock.perf_counter()
+        self.seconds += 0.1 * (min(now - self._last, 0.5) - self.seconds)
+        self._last = now
+        self._since += 1
+        if self._since < 30:
+            return
+        if self.seconds > TARGET and self.level + 1 < len(LEVELS):
+            self._change(1)
+        elif self.seconds < 0.55 * TARGET and self.level > 0 and self._since > 240:
+            self._change(-1)
+
+    def _change(self, by: int) -> None:
+        self.level, self._since = self.level + by, 0
+        self._target()
+
+
+def _panel(pygame, size):
+    """The panel, or None where imgui does not run."""
+    try:
+        from sim.view.panel import Panel
+
+        return Panel(pygame, size)
+    except Exception as error:  # imgui raises whatever its backend does
+        print(f"no panel: {error}")
+        return None
