@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion import cost, problem as problems, spline
+from motion import cost, spline
+from motion import problem as problems
 from motion.jit import jit
 
 
@@ -68,9 +69,7 @@ def _expand(h, g, wp, wa, scale, work, i):
             cc, ca, ac, aa = pk * wp[n], pk * wa[n], ak * wp[n], ak * wa[n]
             for x in range(3):
                 for y in range(3):
-                    target[row + x, column + y] += (
-                        cc * h[x, y] + ca * h[x, 3 + y] + ac * h[y, 3 + x] + aa * h[3 + x, 3 + y]
-                    )
+                    target[row + x, column + y] += cc * h[x, y] + ca * h[x, 3 + y] + ac * h[y, 3 + x] + aa * h[3 + x, 3 + y]
 
 
 @jit
@@ -92,9 +91,7 @@ def assemble(problem, control, eps, work):
             h[:] = 0.0
             g[:] = 0.0
             standing = problem.standing[i, j]
-            e += scale * cost.add_physics(
-                c0, c1, c2, w0, w1, w2, problem.support_point[i, j], standing, eps, h, g
-            )
+            e += scale * cost.add_physics(c0, c1, c2, w0, w1, w2, problem.support_point[i, j], standing, eps, h, g)
             e += scale * cost.add_comfort(
                 c0, c1, c2, problem.leg_origin[i, j], standing, problem.nominal_length, problem.comfort_weight, h, g
             )

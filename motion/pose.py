@@ -40,12 +40,10 @@ VECTORS = ("hip", "knee", "hock", "ankle", "heel", "ball", "toe")
 
 def empty_pose(c: int) -> Pose:
     """A pose of c characters, all zero."""
-    shapes = {name: (c, 2, 3) for name in (*VECTORS, "point_of_support")}
-    shapes |= {name: (c, 3) for name in ("com", "com_velocity", "com_acceleration")} | {"body_rotation_wxyz": (c, 4)}
+    shapes = dict.fromkeys((*VECTORS, "point_of_support"), (c, 2, 3))
+    shapes |= dict.fromkeys(("com", "com_velocity", "com_acceleration"), (c, 3)) | {"body_rotation_wxyz": (c, 4)}
     kinds = {"contact": ((c, 2), np.bool_), "phase": ((c,), np.int64)}
-    return Pose(
-        *(np.zeros(*kinds[name]) if name in kinds else np.zeros(shapes.get(name, (c,))) for name in Pose._fields)
-    )
+    return Pose(*(np.zeros(*kinds[name]) if name in kinds else np.zeros(shapes.get(name, (c,))) for name in Pose._fields))
 
 
 @jit
@@ -155,9 +153,7 @@ def pose_kernel(b, track, curve_time, control, t, pose, c):
         pose.body_rotation_wxyz[c, i] = rotation[i]
     standing, up = pose.contact[c], acceleration[2] + cost.GRAVITY
     at = pose.point_of_support[c]
-    pose.physics_cost[c] = cost.physics_cost(
-        com[0], com[1], com[2], acceleration[0], acceleration[1], up, at, standing
-    )
+    pose.physics_cost[c] = cost.physics_cost(com[0], com[1], com[2], acceleration[0], acceleration[1], up, at, standing)
     pose.comfort_cost[c] = 0.0
     for leg in range(2):
         if standing[leg]:

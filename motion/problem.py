@@ -66,9 +66,7 @@ def segment_cost(problem, control, i):
         c0, c1, c2, w0, w1, w2 = sample_state(control, i, (j + 0.5) / samples, duration)
         standing = problem.standing[i, j]
         e += cost.physics_cost(c0, c1, c2, w0, w1, w2, problem.support_point[i, j], standing)
-        e += cost.comfort_cost(
-            c0, c1, c2, problem.leg_origin[i, j], standing, problem.nominal_length, problem.comfort_weight
-        )
+        e += cost.comfort_cost(c0, c1, c2, problem.leg_origin[i, j], standing, problem.nominal_length, problem.comfort_weight)
     return e * duration / samples
 
 

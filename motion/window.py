@@ -7,7 +7,8 @@ first control point is the end of what is already committed.
 
 import numpy as np
 
-from motion import foot, heading, newton, phases, problem as problems, spline
+from motion import foot, heading, newton, phases, spline
+from motion import problem as problems
 from motion.jit import jit
 
 LIVE_SAMPLES = 5

@@ -68,9 +68,7 @@ def middle_of(b, side, x, y, heading):
 
 @jit
 def _stay(w, side, position, heading, normal, rock, wait):
-    return Placed(
-        side, position[0], position[1], position[2], heading, normal[0], normal[1], normal[2], rock, True, wait
-    )
+    return Placed(side, position[0], position[1], position[2], heading, normal[0], normal[1], normal[2], rock, True, wait)
 
 
 @jit

@@ -67,9 +67,7 @@ class _Search:
         """States (spot, spot before, foot, arrived) from first to goal. Raises NoWay."""
         place = np.vstack([self.spots.place, [(*self.source, 0.0), (*self.world.goal, 0.0)]])
         start = self.on_spot if self.on_spot >= 0 else len(self.spots.rock)
-        states, reached = search.find(
-            self.biped.record, place, self.spots.rock, self._walks(), start, self.foot
-        )
+        states, reached = search.find(self.biped.record, place, self.spots.rock, self._walks(), start, self.foot)
         if not len(states):
             raise self._no_way(set(np.flatnonzero(reached[:-2]).tolist()))
         k = len(self.spots.rock)

@@ -97,9 +97,7 @@ def _headless(options, sim: Simulation) -> int:
 
         video = VideoWriter(sim, options.video, options.size)
     try:
-        summary = run_headless(
-            sim, options.seconds or HEADLESS_SECONDS, recorder, video.add if video else None, options.json
-        )
+        summary = run_headless(sim, options.seconds or HEADLESS_SECONDS, recorder, video.add if video else None, options.json)
     finally:
         if video:
             video.close()

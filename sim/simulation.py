@@ -24,9 +24,7 @@ TICK_RATE = 60
 class Simulation:
     """Characters in a world. `planner` gives plans (planner.wander_plan.Wander, planner.rock_hop.RockHop, ...)."""
 
-    def __init__(
-        self, world: World, characters: Sequence[Biped], planner, seed: int = 0, tick_rate: int = TICK_RATE
-    ) -> None:
+    def __init__(self, world: World, characters: Sequence[Biped], planner, seed: int = 0, tick_rate: int = TICK_RATE) -> None:
         self.world, self.characters, self.planner = world, list(characters), planner
         self.seed, self.tick_rate, self.ticks = int(seed), tick_rate, 0
         self.effort = newton.LIVE
@@ -46,9 +44,7 @@ class Simulation:
         """One tick: whoever runs out of committed motion within it plans a step."""
         self.ticks += 1
         until = self.time + 1e-9
-        crowds.advance_all(
-            self.crowd, self.bipeds, self.world.arrays, self.plans, self.seed, until, self.effort, self._placed
-        )
+        crowds.advance_all(self.crowd, self.bipeds, self.world.arrays, self.plans, self.seed, until, self.effort, self._placed)
         if self._placed.any():
             self.footprints.add(self.crowd, self._placed)
 
@@ -61,9 +57,7 @@ class Simulation:
     def set_world(self, world: World) -> None:
         """Another state of the same world: every character's next footprint takes it into account."""
         self.world = world
-        self.plans = self.planner.prepare(
-            world, self.characters, self.standing_on(), self.crowd.index + 1, self.seed
-        )
+        self.plans = self.planner.prepare(world, self.characters, self.standing_on(), self.crowd.index + 1, self.seed)
 
     def set_goal(self, x: float, y: float) -> None:
         """Another goal, for planners that have one."""
@@ -73,9 +67,7 @@ class Simulation:
         """(C, 2, 5): side, x, y, heading, rock of each character's last two footprints."""
         c, rows = self.crowd, np.arange(len(self.characters))
         picks = [(rows, c.count - 2), (rows, c.count - 1)]
-        return np.stack(
-            [np.column_stack([c.side[p], c.position[p][:, :2], c.heading[p], c.rock[p]]) for p in picks], axis=1
-        )
+        return np.stack([np.column_stack([c.side[p], c.position[p][:, :2], c.heading[p], c.rock[p]]) for p in picks], axis=1)
 
     @property
     def reached_goal(self) -> np.ndarray:

@@ -58,24 +58,3 @@ def phases(side, contact, stance, begin, end, step=1e-3):
                 on[s] = i
         rows.append((t, *on))
     return rows
-
-
-def twelve_steps(step_length=0.7, step_time=0.5, stance_time=0.6, rise=0.0, flights=False, samples=10, by_phase=False):
-    """The design's 12-step track as a motion Problem (segment per step, feet 0.2 m apart, no hip offset, free ends)."""
-    from motion.problem import empty_problem
-
-    edges = [i * step_time for i in range(13)]
-    if flights or by_phase:
-        edges += [i * step_time + (stance_time if flights else stance_time - step_time) for i in range(12)]
-    time = np.unique(np.round(edges, 9))
-    problem = empty_problem(len(time) - 1, samples, 0.9, 100.0)
-    problem.time[:] = time
-    for i, (begin, end) in enumerate(zip(time[:-1], time[1:], strict=True)):
-        for j in range(samples):
-            t = begin + (j + 0.5) / samples * (end - begin)
-            for n in range(12):
-                if n * step_time <= t < n * step_time + stance_time:
-                    point = (n * step_length, 0.1 - 0.2 * (n % 2), n * rise)
-                    problem.support_point[i, j, n % 2] = problem.leg_origin[i, j, n % 2] = point
-                    problem.standing[i, j, n % 2] = True
-    return problem

@@ -87,7 +87,12 @@ def _bird(clay: Clay, biped: Biped, pose: Pose, rows, f: Frame) -> None:
     for side in (1, -1):
         clay.add(f.at(0.12, side * 0.23, 0.10), 0.11 * u, f.at(-0.28, side * 0.20, 0.04), 0.06 * u, second)
         clay.add(f.at(-0.10, side * 0.23, 0.06), 0.07 * u, f.at(-0.42, side * 0.16, 0.06), 0.025 * u, second * 0.85)
-    neck = [f.at(0.28, 0, 0.14), f.at(0.42 + 0.4 * bob, 0, 0.34), f.at(0.40 + 0.8 * bob, 0, 0.56), f.at(0.46 + bob, 0, 0.70)]
+    neck = [
+        f.at(0.28, 0, 0.14),
+        f.at(0.42 + 0.4 * bob, 0, 0.34),
+        f.at(0.40 + 0.8 * bob, 0, 0.56),
+        f.at(0.46 + bob, 0, 0.70),
+    ]
     clay.chain(neck, [0.15 * u, 0.095 * u, 0.085 * u, 0.09 * u], main)
     clay.add(f.at(0.45 + bob, 0, 0.74), 0.135 * u, f.at(0.50 + bob, 0, 0.74), 0.125 * u, main)
     clay.add(f.at(0.58 + bob, 0, 0.72), 0.062 * u, f.at(0.80 + bob, 0, 0.675), 0.012 * u, skin)
@@ -109,7 +114,13 @@ def _dinosaur(clay: Clay, biped: Biped, pose: Pose, rows, f: Frame) -> None:
     clay.chain(tail, [u * r for r in (0.20, 0.155, 0.118, 0.088, 0.062, 0.04, 0.018)], main)
     for k in range(7):
         x = 0.36 - 0.17 * k
-        clay.add(f.at(x, 0, 0.20 - 0.006 * k * k * (k > 3)), 0.055 * u, f.at(x - 0.05, 0, 0.275 - 0.016 * k * (k > 2)), 0.012 * u, second)
+        clay.add(
+            f.at(x, 0, 0.20 - 0.006 * k * k * (k > 3)),
+            0.055 * u,
+            f.at(x - 0.05, 0, 0.275 - 0.016 * k * (k > 2)),
+            0.012 * u,
+            second,
+        )
     neck = [f.at(0.36, 0, 0.12), f.at(0.52, 0.02 * sway, 0.28), f.at(0.60, 0.03 * sway, 0.42)]
     clay.chain(neck, [0.17 * u, 0.115 * u, 0.11 * u], main)
     clay.add(f.at(0.62, 0.03 * sway, 0.45), 0.125 * u, f.at(0.86, 0.03 * sway, 0.425), 0.082 * u, main)

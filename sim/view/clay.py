@@ -42,6 +42,7 @@ class Frame:
 
     def at(self, forward, left, up) -> np.ndarray:
         """World points (C, 3); arguments are numbers or (C,)."""
+
         def column(v):
             return np.reshape(v, (-1, 1)) * self.unit
 

@@ -9,7 +9,8 @@ from PIL import Image
 from sim.simulation import Simulation
 from sim.view.camera import Camera
 from sim.view.gl import NoGL, offscreen_context
-from sim.view.renderer import Quality, Renderer
+from sim.view.quality import Quality
+from sim.view.renderer import Renderer
 from worlds.errors import InputError
 
 FILM_RATE = 30

@@ -102,4 +102,3 @@ class Panel:
         for line in HELP:
             imgui.text(line)
         imgui.end()
-

@@ -14,6 +14,7 @@ ROOM = 0.7
 
 def ground_point(world: World, origin: np.ndarray, direction: np.ndarray) -> tuple[float, float] | None:
     """Where a ray meets the terrain within the world, by marching and halving; None for none."""
+
     def above(t: float) -> float:
         p = origin + t * direction
         return float(p[2] - terrain_height(world.arrays, p[0], p[1]))

@@ -6,7 +6,14 @@ import numpy as np
 
 from sim.simulation import Simulation
 
-GRASS, WATER, TREE, STONE, LEFT, RIGHT = (119, 146, 84), (64, 118, 130), (58, 88, 48), (143, 141, 136), (214, 70, 200), (205, 45, 40)
+GRASS, WATER, TREE, STONE, LEFT, RIGHT = (
+    (119, 146, 84),
+    (64, 118, 130),
+    (58, 88, 48),
+    (143, 141, 136),
+    (214, 70, 200),
+    (205, 45, 40),
+)
 
 
 def draw_plan(surface, sim: Simulation, centre: np.ndarray, metres: float) -> None:

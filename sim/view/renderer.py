@@ -1,7 +1,5 @@
 """One renderer for the window, pictures and films."""
 
-from dataclasses import dataclass
-
 import moderngl
 import numpy as np
 
@@ -11,21 +9,13 @@ from sim.view import bodies, meshes, shaders
 from sim.view.camera import Camera, look_at, orthographic
 from sim.view.clay import Clay
 from sim.view.overlays import overlays
+from sim.view.quality import Quality
 from worlds.world import World
 
 SUN = np.array([0.48, 0.34, 0.81]) / np.linalg.norm([0.48, 0.34, 0.81])
 MOST_PRINTS = 600
 """Footprints drawn, the latest."""
 MESH = ("3f 3f 3f", "in_position", "in_normal", "in_colour")
-
-
-@dataclass
-class Quality:
-    """What the machine can do: larger is slower."""
-
-    shadow_size: int = 2048  # pixels of the shadow map, 0 without shadows
-    samples: int = 4  # of multisampling
-    scale: float = 1.0  # share of the window's resolution
 
 
 class Renderer:

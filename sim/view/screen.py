@@ -5,12 +5,9 @@ import time as clock
 import moderngl
 
 from sim.view import gl
-from sim.view.renderer import Quality, Renderer
+from sim.view.quality import LEVELS, SOFTWARE_LEVEL
+from sim.view.renderer import Renderer
 
-LEVELS = (
-    Quality(2048, 4, 1.0), Quality(2048, 0, 1.0), Quality(1024, 0, 1.0), Quality(1024, 0, 0.75), Quality(512, 0, 0.6),
-    Quality(0, 0, 0.5),
-)  # fmt: skip
 TARGET = 1 / 30
 """Seconds a frame may take: slower goes a level down, much faster one up."""
 SOFTWARE = ("llvmpipe", "softpipe", "swrast")
@@ -28,7 +25,7 @@ class Screen3D:
         pygame.display.set_caption("Footfall")
         self.ctx = gl.window_context()
         software = any(name in self.ctx.info["GL_RENDERER"] for name in SOFTWARE)
-        self.level = 2 if software else 0
+        self.level = SOFTWARE_LEVEL if software else 0
         self.renderer = Renderer(self.ctx, LEVELS[self.level])
         self.panel = _panel(pygame, size)
         self.seconds, self._since, self._last = TARGET, 0, clock.perf_counter()

@@ -45,12 +45,18 @@ vec3 shade(vec3 colour, vec3 p, vec3 n) {
 vec4 tone(vec3 c) { return vec4(pow(clamp(c, 0.0, 1.0), vec3(0.92)), 1.0); }
 """
 
-MESH_VERTEX = COMMON + """
+MESH_VERTEX = (
+    COMMON
+    + """
 in vec3 in_position; in vec3 in_normal; in vec3 in_colour;
 out vec3 p; out vec3 n; out vec3 colour;
 void main() { p = in_position; n = in_normal; colour = in_colour; gl_Position = view_projection * vec4(p, 1.0); }
 """
-MESH_FRAGMENT = COMMON + LIGHT + """
+)
+MESH_FRAGMENT = (
+    COMMON
+    + LIGHT
+    + """
 in vec3 p; in vec3 n; in vec3 colour; out vec4 pixel;
 uniform vec4 focus;                     // place and radius that trees give the eye a way to; radius 0: they do not
 void main() {
@@ -63,8 +69,11 @@ void main() {
     }
     pixel = tone(shade(colour, p, normalize(n))); }
 """
+)
 
-CAPSULE_VERTEX = COMMON + """
+CAPSULE_VERTEX = (
+    COMMON
+    + """
 in vec4 in_shape;                       // unit direction, share of the way from a to b
 in vec4 a; in vec4 b; in vec4 paint;    // ends with radii; colour and glow
 out vec3 p; out vec3 n; out vec4 colour;
@@ -80,12 +89,20 @@ void main() {
     gl_Position = view_projection * vec4(p, 1.0);
 }
 """
-CAPSULE_FRAGMENT = COMMON + LIGHT + """
+)
+CAPSULE_FRAGMENT = (
+    COMMON
+    + LIGHT
+    + """
 in vec3 p; in vec3 n; in vec4 colour; out vec4 pixel;
 void main() { pixel = tone(mix(shade(colour.rgb, p, normalize(n)), colour.rgb, colour.a)); }
 """
+)
 
-WATER_FRAGMENT = COMMON + LIGHT + """
+WATER_FRAGMENT = (
+    COMMON
+    + LIGHT
+    + """
 in vec3 p; in vec3 n; in vec3 colour; out vec4 pixel;
 void main() {
     vec2 flow = n.xy;                   // direction of the stream
@@ -100,12 +117,19 @@ void main() {
     pixel = tone(mix(deep, mirrored, clamp(fresnel, 0.0, 0.85)));
 }
 """
+)
 
-SKY_VERTEX = COMMON + """
+SKY_VERTEX = (
+    COMMON
+    + """
 in vec2 in_corner; out vec2 corner;
 void main() { corner = in_corner; gl_Position = vec4(in_corner, 0.99999, 1.0); }
 """
-SKY_FRAGMENT = COMMON + LIGHT + """
+)
+SKY_FRAGMENT = (
+    COMMON
+    + LIGHT
+    + """
 uniform mat4 back_projection;
 in vec2 corner; out vec4 pixel;
 void main() {
@@ -114,4 +138,5 @@ void main() {
     pixel = tone(d.z < 0.0 ? sky_colour(vec3(d.xy, 0.0)) : sky_colour(d));
 }
 """
+)
 DEPTH_FRAGMENT = "#version 330\nvoid main() {}\n"

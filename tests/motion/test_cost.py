@@ -5,6 +5,7 @@ import pytest
 
 from motion import cost, newton, spline
 from motion.problem import total_cost
+from sim.bench.tracks import twelve_steps
 from tests import reference
 
 SUPPORTS = ([False, False], [True, False], [False, True], [True, True])
@@ -54,7 +55,7 @@ def moment_cost(x, points, standing):
 
 
 def test_track_gradient_agrees_with_finite_differences():
-    problem = reference.twelve_steps()
+    problem = twelve_steps()
     rng = np.random.default_rng(3)
     control = wobbly(problem, rng)
     work = newton.workspace(12)
@@ -76,7 +77,7 @@ def wobbly(problem, rng):
 
 
 def test_total_cost_is_its_twin():
-    problem = reference.twelve_steps(by_phase=True)
+    problem = twelve_steps(by_phase=True)
     control = wobbly(problem, np.random.default_rng(4))
     assert total_cost(problem, control) == pytest.approx(reference.total_cost(problem, control), rel=1e-9)
 

@@ -6,13 +6,7 @@ from scipy.optimize import minimize
 
 from motion import greedy, newton
 from motion.problem import straight_guess, total_cost
-from tests.reference import twelve_steps
-
-TRACKS = {
-    "walk": dict(),
-    "run": dict(step_length=1.1, step_time=0.36, stance_time=0.26, flights=True),
-    "stairs": dict(step_length=0.35, step_time=0.6, stance_time=0.75, rise=0.17),
-}
+from sim.bench.tracks import TRACKS, twelve_steps
 
 
 def solved(problem, method, how):

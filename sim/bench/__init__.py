@@ -1,0 +1,1 @@
+"""Benchmarks: every figure a median over runs, rivals side by side in one process."""

@@ -1,0 +1,106 @@
+"""The report of `bench`."""
+
+import subprocess
+import sys
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+import numpy as np
+
+from motion.biped import load_biped
+from planner.wandering import Wander
+from sim.bench import live, solver
+from sim.simulation import Simulation
+from worlds.level import load_level
+from worlds.world import World
+
+MAIN = Path(__file__).resolve().parent.parent.parent / "main.py"
+SIZE = (960, 540)
+
+
+def run(quick: bool) -> dict:
+    """All figures (README, Benchmarks). quick: fewer repetitions, no crowd above 100."""
+    report = {"solver": solver.compare(5 if quick else 21), "window": live.report()}
+    report["crowd"] = {str(n): crowd(n, 2.0 if quick else 5.0) for n in ((1, 100) if quick else (1, 100, 1000))}
+    report["startup_s"] = startup(1 if quick else 3)
+    report["frames_per_second"] = frames(20 if quick else 60)
+    return report
+
+
+def crowd(n: int, seconds: float) -> dict:
+    """Simulated over wall seconds of n wanderers in an open forest, and the slowest ticks of a character."""
+    side = max(40.0, 6.0 * n**0.5)
+    world = World("open forest", (side, side), start=(side / 2, side / 2))
+    rng = np.random.Generator(np.random.Philox(key=7))
+    places = rng.uniform(2, side - 2, (int(side * side / 60), 2))
+    places = places[np.hypot(*(places - side / 2).T) > 3]
+    world = World("open forest", (side, side), trees=np.column_stack([places, np.full(len(places), 0.3)]), start=world.start)
+    sim = Simulation(world, [load_biped("bird")] * n, Wander(), 1)
+    for _ in range(90):
+        sim.tick()
+    ticks = []
+    for _ in range(int(seconds * sim.tick_rate)):
+        begin = perf_counter()
+        sim.tick()
+        ticks.append(perf_counter() - begin)
+    return {
+        "realtime_ratio": seconds / sum(ticks),
+        "tick_ms_median": 1e3 * median(ticks),
+        "tick_ms_p99": 1e3 * float(np.percentile(ticks, 99)),
+        "tick_ms_max": 1e3 * max(ticks),
+    }
+
+
+def startup(runs: int) -> float:
+    """Seconds of a whole headless process that simulates a tenth of a second, from a warm cache."""
+    command = [sys.executable, str(MAIN), "wander", "--headless", "--seconds", "0.1", "--json"]
+    seconds = []
+    for _ in range(runs + 1):
+        begin = perf_counter()
+        subprocess.run(command, check=True, capture_output=True)
+        seconds.append(perf_counter() - begin)
+    return median(seconds[1:])
+
+
+def frames(count: int) -> float | None:
+    """Frames per second of the default demo in memory at 960x540, at the quality a window starts with in software."""
+    from sim.view.gl import NoGL
+    from sim.view.offscreen import Picture
+    from sim.view.quality import LEVELS, SOFTWARE_LEVEL
+
+    try:
+        picture = Picture(SIZE, LEVELS[SOFTWARE_LEVEL])
+    except NoGL:
+        return None
+    sim = Simulation(load_level("forest"), [load_biped("bird")], Wander(), 0)
+    seconds = []
+    for _ in range(count):
+        begin = perf_counter()
+        sim.tick()
+        picture.frame(sim)
+        seconds.append(perf_counter() - begin)
+    return 1 / median(seconds[5:])
+
+
+def in_words(report: dict) -> str:
+    """The report for people."""
+    lines = ["12-step tracks, a segment per step, 10 samples   ms (E, E / best)"]
+    for track, row in report["solver"].items():
+        cells = [
+            f"{name} {row[f'{name}_ms']:.2f} ({row[f'{name}_cost']:.3f}, {row[f'{name}_cost'] / row['best_cost']:.3f})"
+            for name in ("newton", "newton_loose", "greedy", "lbfgs")
+        ]
+        lines.append(f"  {track}: " + ", ".join(cells))
+    lines.append(
+        f"live window: {report['window']['us_per_step']:.0f} us per step, "
+        f"E {report['window']['cost_over_global']:.3f} of the global optimum ({live.STEPS}-step wander)"
+    )
+    for n, row in report["crowd"].items():
+        lines.append(
+            f"{n} character(s): {row['realtime_ratio']:.1f} times real time; tick median {row['tick_ms_median']:.2f}, "
+            f"99 % {row['tick_ms_p99']:.2f}, worst {row['tick_ms_max']:.2f} ms"
+        )
+    rate = report["frames_per_second"]
+    lines.append(f"start-up {report['startup_s']:.2f} s; " + (f"{rate:.0f} frames/s" if rate else "no OpenGL here"))
+    return "\n".join(lines)

@@ -1,0 +1,31 @@
+"""The 12-step tracks that solvers are compared on: the paper's layout, a segment per step, and a flight by itself."""
+
+import numpy as np
+
+from motion.problem import Problem, empty_problem
+
+WALK = dict()
+RUN = dict(step_length=1.1, step_time=0.36, stance_time=0.26, flights=True)
+STAIRS = dict(step_length=0.35, step_time=0.6, stance_time=0.75, rise=0.17)
+TRACKS = {"walk12": WALK, "run12": RUN, "stairs12": STAIRS}
+
+
+def twelve_steps(
+    step_length=0.7, step_time=0.5, stance_time=0.6, rise=0.0, flights=False, samples=10, by_phase=False
+) -> Problem:
+    """12 steps, feet 0.2 m apart, l_nominal 0.9 m, k = 100, no hip offset, free ends, midpoint samples."""
+    edges = [i * step_time for i in range(13)]
+    if flights or by_phase:
+        edges += [i * step_time + (stance_time if flights else stance_time - step_time) for i in range(12)]
+    time = np.unique(np.round(edges, 9))
+    problem = empty_problem(len(time) - 1, samples, 0.9, 100.0)
+    problem.time[:] = time
+    for i, (begin, end) in enumerate(zip(time[:-1], time[1:], strict=True)):
+        for j in range(samples):
+            t = begin + (j + 0.5) / samples * (end - begin)
+            for n in range(12):
+                if n * step_time <= t < n * step_time + stance_time:
+                    point = (n * step_length, 0.1 - 0.2 * (n % 2), n * rise)
+                    problem.support_point[i, j, n % 2] = problem.leg_origin[i, j, n % 2] = point
+                    problem.standing[i, j, n % 2] = True
+    return problem

@@ -1,0 +1,20 @@
+"""How much effort a picture takes, in levels from a real GPU's to a slow processor's."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Quality:
+    """Larger is better and slower."""
+
+    shadow_size: int = 2048  # pixels of the shadow map, 0 without shadows
+    samples: int = 4  # of multisampling
+    scale: float = 1.0  # share of the window's resolution
+
+
+LEVELS = (
+    Quality(2048, 4, 1.0), Quality(2048, 0, 1.0), Quality(1024, 0, 1.0), Quality(1024, 0, 0.75), Quality(512, 0, 0.6),
+    Quality(0, 0, 0.5),
+)  # fmt: skip
+SOFTWARE_LEVEL = 2
+"""Where a window starts that is drawn by the processor."""
