@@ -17,13 +17,17 @@ DONE, BAD_INPUT, IMPOSSIBLE = 0, 2, 3
 
 def main(arguments: list[str] | None = None) -> int:
     """Runs one command; returns its exit status: 0 done, 2 bad usage or input, 3 the task itself cannot be done."""
-    options = parser().parse_args(_with_default(sys.argv[1:] if arguments is None else arguments))
+    arguments = _with_default(sys.argv[1:] if arguments is None else arguments)
+    if arguments[0] == "test":
+        options = argparse.Namespace(command="test", arguments=arguments[1:])
+    else:
+        options = parser().parse_args(arguments)
     if sys.version_info < (3, 11):
         print("Footfall needs Python 3.11 or newer; this is", sys.version.split()[0], file=sys.stderr)
         return BAD_INPUT
     missing = _missing(options.command)
     if missing:
-        return _run_in_own_environment(missing, sys.argv[1:] if arguments is None else arguments)
+        return _run_in_own_environment(missing, arguments)
     if options.command == "test":
         return subprocess.call([sys.executable, "-m", "pytest", *options.arguments], cwd=HERE)
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
@@ -50,8 +54,7 @@ def parser() -> argparse.ArgumentParser:
     bench = commands.add_parser("bench", help="measure speed against other solvers")
     bench.add_argument("--json", action="store_true")
     bench.add_argument("--quick", action="store_true", help="fewer repetitions and smaller crowds")
-    test = commands.add_parser("test", help="run the tests; further arguments go to pytest")
-    test.add_argument("arguments", nargs=argparse.REMAINDER)
+    commands.add_parser("test", help="run the tests; further arguments go to pytest")
     return top
 
 

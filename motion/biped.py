@@ -8,6 +8,7 @@ import math
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, create_model
@@ -81,11 +82,15 @@ def _limits(name):
     return Field(gt=0, allow_inf_nan=False)
 
 
+def _definitions() -> dict[str, Any]:
+    return {f"{name}_deg" if name in _ANGLES else name: (float, _limits(name)) for name in FIELDS}
+
+
 _STRICT = ConfigDict(extra="forbid")
-_Dimensions = create_model(
+_Dimensions: Any = create_model(
     "_Dimensions",
     __config__=_STRICT,
-    **{f"{name}_deg" if name in _ANGLES else name: (float, _limits(name)) for name in FIELDS},
+    **_definitions(),
 )
 
 
@@ -93,7 +98,7 @@ class _Character(BaseModel):
     model_config = _STRICT
     format: int = Field(ge=1, le=1)
     name: str = Field(min_length=1)
-    biped: _Dimensions
+    biped: _Dimensions  # type: ignore[valid-type]
     body: dict = {}
 
 

@@ -28,7 +28,7 @@ class Effort(NamedTuple):
 
 TIGHT = Effort(9, 3.0, 3e-4, 60, 1e-7)
 SCENE = Effort(6, 3.0, 3e-3, 20, 1e-4)
-LIVE = Effort(4, 1.0, 2e-2, 6, 3e-3)
+LIVE = Effort(2, 0.05, 3e-3, 6, 1e-3)
 
 
 class Workspace(NamedTuple):

@@ -59,5 +59,7 @@ def physics_cost(com, acceleration, point_of_support, contact) -> np.ndarray:
     out = np.empty(len(com))
     for f in range(len(com)):
         w = acceleration[f] + np.array([0.0, 0.0, cost.GRAVITY])
-        out[f] = cost.physics_cost(*com[f], *w, np.nan_to_num(point_of_support[f]), contact[f])
+        out[f] = cost.physics_cost(
+            com[f, 0], com[f, 1], com[f, 2], w[0], w[1], w[2], np.nan_to_num(point_of_support[f]), contact[f]
+        )
     return out

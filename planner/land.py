@@ -99,7 +99,7 @@ class Ways:
         cells = []
         while cell is not None and cell[0] >= 0:
             cells.append(((cell[1] + 0.5) * SPACING, (cell[0] + 0.5) * SPACING))
-            cell = tuple(int(v) for v in self.parent[cell])
+            cell = (int(self.parent[cell][0]), int(self.parent[cell][1]))
         points = [self.source, *reversed(cells[:-1] if len(cells) > 1 else []), (x, y)]
         return _rounded(_pulled(self.land, points))
 

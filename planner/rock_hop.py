@@ -42,6 +42,7 @@ class _Search:
         self.offset = self.spots.place[None, :, :] - self.spots.place[:, None, :]
         self.distance = np.hypot(self.offset[:, :, 0], self.offset[:, :, 1])
         self.ways: dict = {}
+        self.goal = self.world.goal or self.source
 
     def ways_from(self, spot: int):
         """Ways over land from a bank spot, or from the start."""
@@ -59,13 +60,13 @@ class _Search:
         for i in [*banks, START]:
             ways = self.ways_from(int(i))
             if ways is not None:
-                seconds[i, k] = ways.length(*self.world.goal) * pace
+                seconds[i, k] = ways.length(*self.goal) * pace
                 seconds[i, banks] = [ways.length(*place[:2]) * pace for place in self.spots.place[banks]]
         return seconds
 
     def run(self) -> list:
         """States (spot, spot before, foot, arrived) from first to goal. Raises NoWay."""
-        place = np.vstack([self.spots.place, [(*self.source, 0.0), (*self.world.goal, 0.0)]])
+        place = np.vstack([self.spots.place, [(*self.source, 0.0), (*self.goal, 0.0)]])
         start = self.on_spot if self.on_spot >= 0 else len(self.spots.rock)
         states, reached = search.find(self.biped.record, place, self.spots.rock, self._walks(), start, self.foot)
         if not len(states):
@@ -130,7 +131,7 @@ def _append_move(crossing: _Search, before, state, prints: list) -> None:
     spot, _, foot, arrived = state
     if spot == GOAL or not arrived:
         last = prints[-1]
-        target = crossing.world.goal if spot == GOAL else tuple(crossing.spots.place[spot, :2])
+        target = crossing.goal if spot == GOAL else tuple(crossing.spots.place[spot, :2])
         line = crossing.ways_from(before[0]).polyline(crossing.world, *target)
         line[0] = plan.middle_of(crossing.biped.record, int(last[0]), last[1], last[2], last[3])
         wanted = None if spot == GOAL else foot

@@ -21,6 +21,8 @@ REAL = 8
 """Footprints kept: the newest and its history, enough for the body heading's average and for looking a step back."""
 TENTATIVE = 3
 """Footprints beyond the newest, known only to the window."""
+WINDOW_TAIL = 0.0
+"""Share of a step that the window goes on after the last tentative contact: more steadies its end, and costs time."""
 CURVE = 14
 """Committed segments kept."""
 _ROWS = REAL + TENTATIVE
@@ -28,11 +30,11 @@ _WINDOW = 2 * _ROWS + 2
 
 
 class Crowd(NamedTuple):
-    """C characters. Tracks are [C, REAL + TENTATIVE]; the first `count` footprints are real."""
+    """C characters. Tracks are [C, REAL + TENTATIVE]; the first `real` footprints are real."""
 
     kind: np.ndarray  # (C,) index into the biped table
-    count: np.ndarray  # (C,) real footprints in the row
-    index: np.ndarray  # (C,) how many footprints have been placed before the newest: its number
+    real: np.ndarray  # (C,) real footprints in the row
+    number: np.ndarray  # (C,) how many footprints have been placed before the newest: its number
     side: np.ndarray
     position: np.ndarray
     heading: np.ndarray
@@ -61,8 +63,8 @@ def empty_crowd(kind: np.ndarray) -> Crowd:
     normal[:, :, 2] = 1.0
     return Crowd(
         kind=np.ascontiguousarray(kind, np.int64),
-        count=np.zeros(c, np.int64),
-        index=np.zeros(c, np.int64),
+        real=np.zeros(c, np.int64),
+        number=np.zeros(c, np.int64),
         side=np.zeros((c, rows), np.int64),
         position=np.zeros((c, rows, 3)),
         heading=np.zeros((c, rows)),
@@ -115,7 +117,7 @@ def stand(crowd, bipeds, c, first_contact, positions, headings, normals, rocks):
         crowd.stance_time[c, i] = 1.0
         crowd.step_time[c, i] = 0.5
         crowd.roll[c, i] = 0.5
-    crowd.count[c], crowd.index[c] = 2, 1
+    crowd.real[c], crowd.number[c] = 2, 1
     crowd.standing[c] = True
     yaw = 0.5 * (headings[0] + headings[1])
     com = np.zeros(3)
@@ -140,7 +142,7 @@ def _shift(crowd, c):
         array[c, :-1] = array[c, 1:].copy()
     for array in (crowd.position, crowd.normal, crowd.roll):
         array[c, :-1] = array[c, 1:].copy()
-    crowd.count[c] -= 1
+    crowd.real[c] -= 1
     crowd.support[c] -= 1
     gone = 0
     for i in range(crowd.curve_count[c]):
@@ -221,16 +223,23 @@ def _place(crowd, bipeds, w, plans, c, seed, n, step):
 
 
 @jit
+def window_end(track):
+    """Where the window ends [s]: shortly after the last tentative footprint has landed."""
+    last = len(track.side) - 1
+    return track.contact_time[last] + WINDOW_TAIL * track.step_time[last]
+
+
+@jit
 def _optimise(crowd, bipeds, c, effort):
     """Solves the window over the real and tentative footprints and commits step n - 1 (paper, section 4.2)."""
-    n = crowd.count[c] - 1
+    n = crowd.real[c] - 1
     last = n + TENTATIVE
     track = track_of(crowd, c, last + 1)
     committed = crowd.curve_count[c]
     begin = crowd.curve_time[c, committed]
     kept = crowd.window_count[c]
     time, control, support, e, iterations = window.optimise_window(
-        bipeds[crowd.kind[c]], track, begin, track.contact_time[last] + 0.5 * track.step_time[last],
+        bipeds[crowd.kind[c]], track, begin, window_end(track),
         crowd.control[c, committed], crowd.window_time[c, :kept], crowd.window_control[c, :kept], effort,
     )  # fmt: skip
     crowd.window_cost[c, 0], crowd.window_cost[c, 1] = e, iterations
@@ -258,14 +267,14 @@ def _commit(crowd, c, time, control, support, until):
 @jit
 def _advance(crowd, bipeds, w, plans, c, seed, effort):
     """One round of the paper's loop: footprint n, its timing, tentative footprints, step n - 1 optimised, committed."""
-    if crowd.count[c] == REAL:
+    if crowd.real[c] == REAL:
         _shift(crowd, c)
-    n = crowd.count[c]
-    crowd.index[c] += 1
-    crowd.standing[c] = _place(crowd, bipeds, w, plans, c, seed, n, crowd.index[c])
-    crowd.count[c] = n + 1
+    n = crowd.real[c]
+    crowd.number[c] += 1
+    crowd.standing[c] = _place(crowd, bipeds, w, plans, c, seed, n, crowd.number[c])
+    crowd.real[c] = n + 1
     for k in range(TENTATIVE):
-        _place(crowd, bipeds, w, plans, c, seed, n + 1 + k, crowd.index[c] + 1 + k)
+        _place(crowd, bipeds, w, plans, c, seed, n + 1 + k, crowd.number[c] + 1 + k)
     _optimise(crowd, bipeds, c, effort)
 
 
@@ -285,6 +294,6 @@ def pose_all(crowd, bipeds, t, pose):
     for c in prange(len(crowd.kind)):
         m = crowd.curve_count[c]
         pose_kernel(
-            bipeds[crowd.kind[c]], track_of(crowd, c, crowd.count[c]), crowd.curve_time[c, : m + 1],
+            bipeds[crowd.kind[c]], track_of(crowd, c, crowd.real[c]), crowd.curve_time[c, : m + 1],
             crowd.control[c, : m + 1], t, pose, c,
         )  # fmt: skip

@@ -68,7 +68,7 @@ class Recorder:
         temporary = path.with_name(path.name + ".part")
         try:
             with open(temporary, "wb") as file:
-                np.savez_compressed(file, **self.arrays())
+                np.savez_compressed(file, allow_pickle=False, **self.arrays())  # type: ignore[arg-type]
             os.replace(temporary, path)
         except OSError as error:
             temporary.unlink(missing_ok=True)

@@ -57,7 +57,7 @@ class Simulation:
     def set_world(self, world: World) -> None:
         """Another state of the same world: every character's next footprint takes it into account."""
         self.world = world
-        self.plans = self.planner.prepare(world, self.characters, self.standing_on(), self.crowd.index + 1, self.seed)
+        self.plans = self.planner.prepare(world, self.characters, self.standing_on(), self.crowd.number + 1, self.seed)
 
     def set_goal(self, x: float, y: float) -> None:
         """Another goal, for planners that have one."""
@@ -66,7 +66,7 @@ class Simulation:
     def standing_on(self) -> np.ndarray:
         """(C, 2, 5): side, x, y, heading, rock of each character's last two footprints."""
         c, rows = self.crowd, np.arange(len(self.characters))
-        picks = [(rows, c.count - 2), (rows, c.count - 1)]
+        picks = [(rows, c.real - 2), (rows, c.real - 1)]
         return np.stack([np.column_stack([c.side[p], c.position[p][:, :2], c.heading[p], c.rock[p]]) for p in picks], axis=1)
 
     @property
@@ -80,7 +80,7 @@ class Simulation:
 
     def track(self, character: int) -> Track:
         """The character's recent footprints, the newest last."""
-        return Track(*(a.copy() for a in crowds.track_of(self.crowd, character, int(self.crowd.count[character]))))
+        return Track(*(a.copy() for a in crowds.track_of(self.crowd, character, int(self.crowd.real[character]))))
 
     def curve(self, character: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Committed curve over the last steps: time (m + 1,), control (m + 1, 6), support (m, 2)."""

@@ -42,7 +42,7 @@ def grid_shape(size: tuple[float, float]) -> tuple[int, int]:
 def bucket(boxes: np.ndarray, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
     """Lists of the items whose box (K, 4: xmin, ymin, xmax, ymax) meets each cell: (start, index)."""
     rows, columns = shape
-    cells = [[] for _ in range(rows * columns)]
+    cells: list[list[int]] = [[] for _ in range(rows * columns)]
     low = np.floor(boxes[:, :2] / CELL).astype(int)
     high = np.floor(boxes[:, 2:] / CELL).astype(int)
     for item, ((x0, y0), (x1, y1)) in enumerate(zip(low, high, strict=True)):

@@ -21,7 +21,7 @@ SIZE = (960, 540)
 
 def run(quick: bool) -> dict:
     """All figures (README, Benchmarks). quick: fewer repetitions, no crowd above 100."""
-    report = {"solver": solver.compare(5 if quick else 21), "window": live.report()}
+    report: dict = {"solver": solver.compare(5 if quick else 21), "window": live.report()}
     report["crowd"] = {str(n): crowd(n, 2.0 if quick else 5.0) for n in ((1, 100) if quick else (1, 100, 1000))}
     report["startup_s"] = startup(1 if quick else 3)
     report["frames_per_second"] = frames(20 if quick else 60)

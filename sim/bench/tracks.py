@@ -4,7 +4,7 @@ import numpy as np
 
 from motion.problem import Problem, empty_problem
 
-WALK = dict()
+WALK: dict = dict()
 RUN = dict(step_length=1.1, step_time=0.36, stance_time=0.26, flights=True)
 STAIRS = dict(step_length=0.35, step_time=0.6, stance_time=0.75, rise=0.17)
 TRACKS = {"walk12": WALK, "run12": RUN, "stairs12": STAIRS}

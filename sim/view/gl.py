@@ -14,7 +14,7 @@ class NoGL(RuntimeError):
 def offscreen_context() -> moderngl.Context:
     """A context without a window. Raises NoGL."""
     try:
-        return moderngl.create_standalone_context(require=330, backend="egl")
+        return moderngl.create_standalone_context(require=330, backend="egl")  # type: ignore[arg-type]
     except Exception as error:  # moderngl raises bare Exception where libraries are missing
         try:
             return moderngl.create_standalone_context(require=330)

@@ -15,7 +15,7 @@ class Panel:
         self.pygame = pygame
         imgui.create_context()
         imgui.get_io().set_ini_filename("")
-        imgui.get_io().display_size = size
+        imgui.get_io().display_size = imgui.ImVec2(*size)
         self.backend = ProgrammablePipelineRenderer()
 
     def takes(self, event) -> bool:
@@ -34,7 +34,7 @@ class Panel:
     def draw(self, app, size: tuple[int, int], rate: float) -> None:
         """Draws over the picture in the bound framebuffer."""
         io = imgui.get_io()
-        io.display_size, io.delta_time = size, 1 / max(rate, 1)
+        io.display_size, io.delta_time = imgui.ImVec2(*size), 1 / max(rate, 1)
         imgui.new_frame()
         if app.show_panel:
             self._controls(app, rate)

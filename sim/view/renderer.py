@@ -33,7 +33,7 @@ class Renderer:
         self.capsule = ctx.buffer(meshes.capsule().tobytes())
         self.corners = ctx.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4").tobytes())
         self.instances = ctx.buffer(reserve=48 * 4096, dynamic=True)
-        self.shadow = None
+        self.shadow: moderngl.Texture | None = None
         self._world: World | None = None
         self._static: dict[str, tuple[moderngl.Buffer, int]] = {}
         self._outlines: dict[str, np.ndarray] = {}
@@ -103,8 +103,8 @@ class Renderer:
             biped = sim.characters[c]
             outline = self._outlines.setdefault(biped.name, bodies.outline(biped))
             mine = down & (log["footprint_character"] == c)
-            place = [log[f"footprint_{key}"][mine] for key in ("position", "heading", "normal")]
-            parts.append(meshes.prints(*place, outline, (0.27, 0.24, 0.16)))
+            position, heading, normal = (log[f"footprint_{key}"][mine] for key in ("position", "heading", "normal"))
+            parts.append(meshes.prints(position, heading, normal, outline, (0.27, 0.24, 0.16)))
         self._upload("prints", np.vstack(parts))
 
     def _sun_matrix(self, camera: Camera) -> np.ndarray:

@@ -34,7 +34,7 @@ class Screen3D:
     def _target(self) -> None:
         """The picture is drawn at the quality's scale and samples, then blown up."""
         quality = self.renderer.quality = LEVELS[self.level]
-        small = tuple(max(int(edge * quality.scale), 64) for edge in self.size)
+        small = (max(int(self.size[0] * quality.scale), 64), max(int(self.size[1] * quality.scale), 64))
         samples = min(quality.samples, self.ctx.max_samples)
         self.picture = self.ctx.texture(small, 3)
         self.picture.filter = moderngl.LINEAR, moderngl.LINEAR

@@ -1,0 +1,90 @@
+"""A* on rocks against Dijkstra over the same states, and what a route promises."""
+
+from heapq import heappop, heappush
+
+import numpy as np
+import pytest
+
+from motion.biped import load_biped
+from planner import search
+from planner.rock_hop import NoWay, RockHop, route
+from worlds import queries
+from worlds.level import load_level
+
+HUMAN = load_biped("human").record
+
+
+def dijkstra(b, place, rock, walks, start, foot):
+    """Cost of the cheapest way, by plain Dijkstra without a heuristic."""
+    k = len(rock)
+    heap, done = [(0.0, (start, -1, foot, 1))], set()
+    while heap:
+        cost, state = heappop(heap)
+        if state in done:
+            continue
+        done.add(state)
+        spot, before, foot, arrived = state
+        if spot == k + 1:
+            return cost
+        if arrived and (spot == k or rock[spot] < 0):
+            for j in range(k + 1):
+                for last in (0, 1):
+                    if np.isfinite(walks[spot, j]):
+                        heappush(heap, (cost + walks[spot, j], (k + 1 if j == k else j, -1, last, 0)))
+        elif spot < k:
+            for j in range(k):
+                if j != spot and search.can_step(b, place, rock, spot, j):
+                    step = search.directed_cost(b, place, before, spot, j, foot)
+                    if np.isfinite(step):
+                        heappush(heap, (cost + step, (j, spot, 1 - foot, 1)))
+    return np.inf
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_star_costs_what_dijkstra_costs(seed):
+    rng = np.random.default_rng(seed)
+    k = 14
+    place = np.column_stack([rng.uniform(0, 5, k + 2), rng.uniform(0, 2, k + 2), rng.uniform(0, 0.2, k + 2)])
+    place[0], place[1], place[k], place[k + 1] = (0, 1, 0), (5, 1, 0), (-1, 1, 0), (6, 1, 0)
+    rock = np.arange(k)
+    rock[:2] = -1
+    walks = np.full((k + 1, k + 1), np.inf)
+    walks[k, 0], walks[1, k] = 0.8, 0.8
+    states, _ = search.find(HUMAN, place, rock, walks, k, 0)
+    expected = dijkstra(HUMAN, place, rock, walks, k, 0)
+    if not len(states):
+        assert expected == np.inf
+        return
+    cost = 0.0
+    for (a, before, foot, _), (z, _, _, arrived) in zip(states, states[1:], strict=False):
+        walked = walks[a, k if z == k + 1 else z] if not arrived else 0.0
+        cost += walked or search.directed_cost(HUMAN, place, before if before < k else -1, a, z, foot)
+    assert cost == pytest.approx(expected)
+
+
+def standing(world):
+    x, y = world.start
+    return np.array([[1, x, y - 0.06, 0, -1], [0, x, y + 0.06, 0, -1]], float)
+
+
+@pytest.mark.parametrize("name", ["river_easy", "river_long_steps", "river_leaps", "river_delta", "rock_field"])
+def test_routes_stand_wholly_on_rocks_or_land(name):
+    world = load_level(name)
+    sole = 0.5 * HUMAN.foot_length
+    prints = route(world, load_biped("human"), standing(world))
+    assert np.hypot(*(prints[-1, 1:3] - world.goal)) < world.goal_radius
+    for _, x, y, _ in prints:
+        assert queries.rock_under(world.arrays, x, y, sole) >= 0 or queries.water_clearance(world.arrays, x, y) >= sole
+    assert (np.diff(prints[:, 0]) != 0).all()
+    steps = np.hypot(*np.diff(prints[:, 1:3], axis=0).T)
+    assert steps.max() <= HUMAN.max_leap + 0.2
+    assert np.abs(np.diff(prints[:, 3])).max() < 2.0
+
+
+def test_no_way_names_the_gap():
+    world = load_level("river_impossible")
+    with pytest.raises(NoWay) as told:
+        route(world, load_biped("bird"), standing(world))
+    assert told.value.gap["distance"] > told.value.gap["reach"]
+    bridged = world.with_rock(12.6, 8.0, 0.5, 0.2).with_rock(13.3, 8.0, 0.5, 0.2).with_rock(14.1, 8.0, 0.5, 0.2)
+    assert len(RockHop().prepare(bridged, [load_biped("bird")], standing(world)[None], np.array([3]), 0).route[0])

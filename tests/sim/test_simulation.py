@@ -1,0 +1,126 @@
+"""The whole loop: wandering and crossing for every character, measured as a user would."""
+
+import hashlib
+
+import numba
+import numpy as np
+import pytest
+
+from motion.biped import load_biped
+from planner.timing import step_timing
+from planner.wandering import Wander
+from sim.commands import make_simulation
+from sim.measure import measure
+from sim.recording import Recorder, Recording, load_recording
+from sim.simulation import Simulation
+from worlds.level import load_level
+
+CHARACTERS = ("bird", "dinosaur", "human")
+
+
+def recorded(sim, seconds):
+    recorder = Recorder(sim)
+    for _ in range(int(seconds * sim.tick_rate)):
+        sim.tick()
+        recorder.capture()
+        if sim.world.goal and sim.reached_goal.all():
+            break
+    return recorder
+
+
+def report_of(recorder):
+    return measure(Recording(recorder.arrays(), recorder._meta()))["worst"]
+
+
+@pytest.mark.parametrize("character", CHARACTERS)
+@pytest.mark.parametrize("level", ["forest", "dense_forest", "hills", "forest_river"])
+def test_wanderers_walk_well(level, character):
+    sim = make_simulation(level, character, 1, 5, False)
+    worst = report_of(recorded(sim, 60))
+    b = load_biped(character).record
+    walking = b.preferred_step / step_timing(b, b.preferred_step, 0.0, 0.0, False)[0]
+    assert worst["speed"] >= 0.5 * walking
+    assert worst["stance_slide"] <= 1e-3 and worst["penetration"] <= 5e-3
+    assert min(worst[f"{what}_distance"] for what in ("tree", "water", "border")) > 0.5 * b.foot_length
+    assert worst["mean_physics_cost"] <= 0.3 and worst["flight_residual"] <= 0.2
+    assert worst["physics_cost_error"] <= 1e-6
+
+
+@pytest.mark.parametrize("character", CHARACTERS)
+@pytest.mark.parametrize("level", ["river_easy", "river_long_steps", "river_leaps", "river_delta"])
+def test_rivers_are_crossed(level, character):
+    sim = make_simulation(level, character, 1, 0, True)
+    worst = report_of(recorded(sim, 90))
+    assert sim.reached_goal.all()
+    assert worst["stance_slide"] <= 1e-3 and worst["penetration"] <= 5e-3
+    assert worst["flight_residual"] <= 0.2 and worst["mean_physics_cost"] <= 0.3
+
+
+def crowd_digest(threads):
+    before = numba.get_num_threads()
+    numba.set_num_threads(threads)
+    try:
+        sim = Simulation(load_level("forest"), [load_biped("bird"), load_biped("human")] * 8, Wander(), 9)
+        recorder = recorded(sim, 6)
+        digest = hashlib.sha256()
+        for name, array in sorted(recorder.arrays().items()):
+            digest.update(name.encode() + np.ascontiguousarray(array).tobytes())
+        return digest.hexdigest()
+    finally:
+        numba.set_num_threads(before)
+
+
+def test_threads_change_nothing():
+    assert crowd_digest(1) == crowd_digest(min(2, numba.config.NUMBA_NUM_THREADS))
+
+
+def test_asking_for_poses_changes_nothing():
+    quiet, watched = (make_simulation("forest", "human", 1, 3, False) for _ in range(2))
+    for k in range(300):
+        quiet.tick()
+        watched.tick()
+        watched.snapshot(watched.time - 0.3 / (1 + k % 7) / 60)
+    for a, b in zip(quiet.snapshot(), watched.snapshot(), strict=True):
+        np.testing.assert_array_equal(a, b)
+
+
+def test_recordings_round_trip(tmp_path):
+    sim = make_simulation("hills", "dinosaur", 2, 1, False)
+    recorder = recorded(sim, 2)
+    recorder.save(tmp_path / "a.npz")
+    loaded = load_recording(tmp_path / "a.npz")
+    for name, array in recorder.arrays().items():
+        np.testing.assert_array_equal(loaded.arrays[name], array)
+    np.testing.assert_array_equal(loaded.world.arrays.trees, sim.world.arrays.trees)
+    assert loaded.arrays["hip"].shape == (121, 2, 2, 3)
+
+
+def test_a_tree_planted_ahead_is_walked_round():
+    sim = make_simulation("forest", "human", 1, 0, False)
+    for _ in range(200):
+        sim.tick()
+    pose = sim.snapshot()
+    ahead = pose.com[0, :2] + 3.0 * pose.com_velocity[0, :2] / np.linalg.norm(pose.com_velocity[0, :2])
+    sim.set_world(sim.world.with_tree(*ahead, 0.4))
+    recorder = recorded(sim, 20)
+    assert report_of(recorder)["tree_distance"] > 0.13
+
+
+def test_a_new_goal_is_walked_to():
+    sim = make_simulation("river_easy", "human", 1, 0, True)
+    for _ in range(300):
+        sim.tick()
+    sim.set_goal(23.0, 11.0)
+    for _ in range(60 * 60):
+        sim.tick()
+        if sim.reached_goal[0]:
+            break
+    assert sim.reached_goal[0]
+    assert np.hypot(*(sim.standing_on()[0, 1, 1:3] - (23.0, 11.0))) < 1.5
+
+
+def test_live_window_is_near_the_global_optimum():
+    from sim.bench import live
+
+    sim, times, controls, _ = live.wander_windows(seed=2)
+    assert 1.0 <= live.over_global(sim, times, controls) <= 1.2
