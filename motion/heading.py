@@ -44,7 +44,7 @@ def _integral(track, integral, t, last):
     while last > 0 and track.contact_time[last] > t:
         last -= 1
     after = t - track.contact_time[last]
-    if after <= 0:
+    if after < 0:
         return after * _value(track, 0)
     return integral[last] + after * _line(track, last, track.contact_time[last] + 0.5 * after)
 

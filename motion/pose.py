@@ -40,7 +40,7 @@ VECTORS = ("hip", "knee", "hock", "ankle", "heel", "ball", "toe")
 
 def empty_pose(c: int) -> Pose:
     """A pose of c characters, all zero."""
-    shapes = dict.fromkeys((*VECTORS, "point_of_support"), (c, 2, 3))
+    shapes: dict[str, tuple[int, ...]] = dict.fromkeys((*VECTORS, "point_of_support"), (c, 2, 3))
     shapes |= dict.fromkeys(("com", "com_velocity", "com_acceleration"), (c, 3)) | {"body_rotation_wxyz": (c, 4)}
     kinds = {"contact": ((c, 2), np.bool_), "phase": ((c,), np.int64)}
     return Pose(*(np.zeros(*kinds[name]) if name in kinds else np.zeros(shapes.get(name, (c,))) for name in Pose._fields))
@@ -102,7 +102,7 @@ def _pull_in(b, hip, s, pose, c, leg):
     length = np.sqrt(x * x + y * y + z * z)
     excess = length - FREE_REACH * b.max_length
     if excess > 0:
-        share = min(4 * swing.bump(s), 1.0) * excess / length
+        share = min(2 * swing.bump(s), 1.0) * excess / length
         for array in (pose.ankle, pose.heel, pose.ball, pose.toe):
             array[c, leg, 0] -= share * x
             array[c, leg, 1] -= share * y

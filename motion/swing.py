@@ -1,8 +1,8 @@
 """The swinging foot: a function of its two footprints, its lift and the share s of the swing that has passed (section 2.5).
 
 The ball goes along the line between the footprints by the quintic 10 s^3 - 15 s^4 + 6 s^5, at rest at both ends, and is
-raised by lift * bump(s). The bump grows like s^2 while the way grows like s^3, so the foot rises before it goes forward
-and comes down after it has arrived: stair edges are cleared with little lift. The pitch with which the foot left fades,
+raised by lift * bump(s). The foot rises before it goes forward and comes down after it has arrived, so that the edges of
+stairs and rocks are cleared with little lift. The pitch with which the foot left fades,
 the toe droops less and less, and the foot bows sideways, away from the stance leg, where the line would cross it.
 """
 
@@ -11,6 +11,8 @@ from math import cos, sin
 from motion import foot
 from motion.jit import jit
 
+HOLD = 0.1
+"""Share of the swing, at either end, in which the foot goes only up or down: more clears steeper edges, and goes faster."""
 FLEX_FADE = 0.35
 """Share of the swing in which the toes straighten."""
 PITCH_FADE = 0.7
@@ -19,7 +21,8 @@ PITCH_FADE = 0.7
 
 @jit
 def way(s):
-    """Share of the way at share s of the swing: at rest, without acceleration, at both ends."""
+    """Share of the way at share s of the swing: nothing for the first and last HOLD, smooth to the second derivative."""
+    s = min(max((s - HOLD) / (1 - 2 * HOLD), 0.0), 1.0)
     return s * s * s * (10 - 15 * s + 6 * s * s)
 
 

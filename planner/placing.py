@@ -7,7 +7,7 @@ from motion.jit import jit
 from worlds import queries
 from worlds.arrays import FLAT, HEIGHTMAP, HILLS
 
-SAMPLES = 13
+SAMPLES = 25
 """Shares of the swing at which the ground below the foot is asked for."""
 EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
@@ -50,6 +50,6 @@ def swing_lift(b, w, track, n, m):
         rise = swing.bump(s)
         for forward, bend in ((back, pitch), (0.0, 0.0), (ahead, pitch - flex)):
             p = swing.point_of_foot(b, ball, heading, normal, forward, 0.0, bend)
-            lack = queries.ground_height(w, p[0], p[1]) + b.clearance * min(2 * rise, 1.0) - p[2]
+            lack = queries.ground_height(w, p[0], p[1]) + b.clearance * min(4 * rise, 1.0) - p[2]
             lift = max(lift, min(lack / rise, 3 * b.max_rise))
     return lift

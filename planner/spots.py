@@ -53,7 +53,14 @@ def _on_rock(world: World, i: int, rock: np.ndarray, sole: float) -> list[tuple]
     if room > 0.05:
         angles = np.arange(RING) * 2 * np.pi / RING
         spots += [(x + room * np.cos(a), y + room * np.sin(a), top, i) for a in angles]
-    return spots
+    return [spot for spot in spots if _alone(world.arrays.rocks, i, spot, sole)]
+
+
+def _alone(rocks: np.ndarray, i: int, spot: tuple, sole: float) -> bool:
+    """Whether no other rock reaches under the sole or into it."""
+    off = np.hypot(rocks[:, 0] - spot[0], rocks[:, 1] - spot[1]) - rocks[:, 2]
+    off[i] = np.inf
+    return bool(off.min() > sole)
 
 
 def _on_banks(world: World, sole: float, reach: float) -> list[tuple]:

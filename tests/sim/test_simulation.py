@@ -92,7 +92,7 @@ def test_recordings_round_trip(tmp_path):
     for name, array in recorder.arrays().items():
         np.testing.assert_array_equal(loaded.arrays[name], array)
     np.testing.assert_array_equal(loaded.world.arrays.trees, sim.world.arrays.trees)
-    assert loaded.arrays["hip"].shape == (121, 2, 2, 3)
+    assert loaded.arrays["hip"].shape == (120, 2, 2, 3)
 
 
 def test_a_tree_planted_ahead_is_walked_round():
