@@ -11,7 +11,7 @@ from math import cos, sin
 from motion import foot
 from motion.jit import jit
 
-HOLD = 0.1
+HOLD = 0.15
 """Share of the swing, at either end, in which the foot goes only up or down: more clears steeper edges, and goes faster."""
 FLEX_FADE = 0.35
 """Share of the swing in which the toes straighten."""

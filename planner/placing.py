@@ -7,7 +7,7 @@ from motion.jit import jit
 from worlds import queries
 from worlds.arrays import FLAT, HEIGHTMAP, HILLS
 
-SAMPLES = 25
+SAMPLES = 41
 """Shares of the swing at which the ground below the foot is asked for."""
 EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""

@@ -8,6 +8,8 @@ from motion.biped import Biped
 from worlds import queries
 from worlds.world import World
 
+OFF_ROCKS = 0.1
+"""Between a sole on a bank and the side of a rock [m], so that the toe does not strike it when it lifts."""
 RING = 8
 """Spots around a rock's middle."""
 BANK_SPACING = 0.3
@@ -76,5 +78,5 @@ def _on_banks(world: World, sole: float, reach: float) -> list[tuple]:
 
 def _dry_and_free(w, x: float, y: float, sole: float) -> bool:
     rocks = w.rocks
-    clear = not len(rocks) or (np.hypot(rocks[:, 0] - x, rocks[:, 1] - y) > rocks[:, 2] + sole).all()
+    clear = not len(rocks) or (np.hypot(rocks[:, 0] - x, rocks[:, 1] - y) > rocks[:, 2] + sole + OFF_ROCKS).all()
     return clear and queries.tree_clearance(w, x, y) > 0.3 and queries.border_clearance(w, x, y) > 0.3
