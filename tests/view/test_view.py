@@ -1,7 +1,4 @@
-"""Pictures through the real renderer, keys and mouse through SDL's offscreen driver."""
-
-import argparse
-import os
+"""Pictures through the real renderer, and clicks on the ground."""
 
 import numpy as np
 import pytest
@@ -47,87 +44,9 @@ def test_overlays_and_world_edits_are_seen(picture):
     assert np.abs(picture.frame(sim).astype(int) - plain).max() > 60
 
 
-@pytest.fixture
-def app():
-    from sim.view.app import App
-
-    options = argparse.Namespace(level="river_easy", character="human", seed=0)
-
-    def make(level="river_easy", character="human", seed=0):
-        return make_simulation(level, character, 1, seed, True)
-
-    return App(make, make(), options, ["river_easy", "river_impossible", "river_leaps"])
-
-
-def test_keys_do_what_the_help_says(app):
-    before = app.sim.ticks
-    app.key(".")
-    assert app.paused and app.sim.ticks == before + 1
-    app.advance(1.0)
-    assert app.sim.ticks == before + 1
-    app.key("space")
-    app.advance(0.05)
-    assert app.sim.ticks == before + 4
-    app.advance(100.0)
-    assert app.sim.ticks <= before + 4 + 6
-    app.key("[")
-    assert app.speed == 0.5
-    app.key("c")
-    assert app.character == "bird" and app.sim.characters[0].name == "bird"
-    app.key("n")
-    assert "no way" in app.message and app.sim.characters[0].name == "bird"
-    app.key("escape")
-    assert not app.running
-
-
-def test_mouse_edits_reach_the_world(app):
-    trees = len(app.sim.world.trees)
-    app.edit("t", 4.0, 12.0)
-    assert len(app.sim.world.trees) == trees + 1
-    app.edit("x", 4.0, 12.1)
-    assert len(app.sim.world.trees) == trees
-    app.edit("g", 22.0, 4.0)
-    assert app.sim.world.goal == (22.0, 4.0)
-    rocks = app.sim.world
-    for _ in range(40):
-        app.edit("x", 13.0, 8.0)
-    app.edit("t", *app.sim.world.start)
-    assert "foot" in app.message
-    assert len(app.sim.world.rocks) <= len(rocks.rocks)
-
-
 def test_clicks_find_the_ground():
     world = load_level("hills")
     camera = Camera(target=np.array([35.0, 35.0, 0.0]), distance=20.0)
     place = picking.ground_point(world, *camera.ray(0.0, 0.0, 1.6))
     assert place == pytest.approx((35.0, 35.0), abs=2.5)
     assert picking.ground_point(world, camera.eye, np.array([0.0, 0.0, 1.0])) is None
-
-
-def test_real_events_drive_a_window(monkeypatch, app):
-    monkeypatch.setitem(os.environ, "SDL_VIDEODRIVER", "offscreen")
-    gl.prefer_egl_without_display()
-    import pygame
-
-    from sim.view.app import PlanScreen, _open_screen, handle
-
-    pygame.display.init()
-    try:
-        screen = _open_screen(pygame, (320, 200))
-        if isinstance(screen, PlanScreen):
-            pytest.skip("no OpenGL window here")
-        azimuth, distance = app.camera.azimuth, app.camera.distance
-        for event in (
-            pygame.event.Event(pygame.KEYDOWN, key=pygame.K_SPACE),
-            pygame.event.Event(pygame.MOUSEMOTION, pos=(300, 100), rel=(40, 0), buttons=(1, 0, 0)),
-            pygame.event.Event(pygame.MOUSEWHEEL, x=0, y=2),
-        ):
-            pygame.event.post(event)
-        for event in pygame.event.get():
-            handle(app, screen, event, pygame)
-        assert app.paused and app.camera.azimuth != azimuth and app.camera.distance < distance
-        screen.draw(app)
-        app.key("h")
-        screen.draw(app)
-    finally:
-        pygame.display.quit()
