@@ -8,8 +8,6 @@ half a step ahead of the body, and a box average over the last WINDOW seconds ta
 so the heading at t needs no footprint beyond the next, and never changes when later ones arrive.
 """
 
-import numpy as np
-
 from motion.jit import jit
 
 WINDOW_STEPS = 1.0
@@ -30,39 +28,27 @@ def _value(track, i):
 
 
 @jit
-def integral_at_contacts(track, integral):
-    """Fills integral (n,): of the broken line from the first contact to each. Makes many headings of one track cheap."""
-    integral[0] = 0.0
-    for i in range(len(track.side) - 1):
-        span = track.contact_time[i + 1] - track.contact_time[i]
-        integral[i + 1] = integral[i] + 0.5 * span * (_value(track, i) + _value(track, i + 1))
+def body_heading(b, track, t):
+    """Heading of the body [rad] at time t, unwrapped.
 
-
-@jit
-def _integral(track, integral, t, last):
-    """Integral of the line up to t, searching the contacts from `last` downward; before the first it is constant."""
+    Sums the pieces of the line that lie in the window, the latest first: only footprints near t enter, so that forgetting
+    old ones changes no bit.
+    """
+    window = window_length(b)
+    begin, upper, total = t - window, t, 0.0
+    last = len(track.side) - 1
     while last > 0 and track.contact_time[last] > t:
         last -= 1
-    after = t - track.contact_time[last]
-    if after < 0:
-        return after * _value(track, 0)
-    return integral[last] + after * _line(track, last, track.contact_time[last] + 0.5 * after)
-
-
-@jit
-def heading_from(b, track, integral, t):
-    """Heading of the body [rad] at time t, unwrapped, from the integral at the contacts."""
-    window = window_length(b)
-    last = len(track.side) - 1
-    return (_integral(track, integral, t, last) - _integral(track, integral, t - window, last)) / window
-
-
-@jit
-def body_heading(b, track, t):
-    """Heading of the body [rad] at time t, unwrapped."""
-    integral = np.empty(len(track.side))
-    integral_at_contacts(track, integral)
-    return heading_from(b, track, integral, t)
+    for i in range(last, -1, -1):
+        lower = max(track.contact_time[i], begin)
+        if lower < upper:
+            total += (upper - lower) * _line(track, i, 0.5 * (upper + lower))
+            upper = lower
+        if upper <= begin:
+            break
+    if upper > begin:
+        total += (upper - begin) * _value(track, 0)
+    return total / window
 
 
 @jit

@@ -22,15 +22,13 @@ def lay_samples(b, track, support, problem):
     A segment of one phase has the phase's support all along; the paper's segments span a step and are sampled by time.
     """
     samples = problem.support_point.shape[1]
-    integral = np.empty(len(track.side))
-    heading.integral_at_contacts(track, integral)
     for i in range(len(problem.time) - 1):
         duration = problem.time[i + 1] - problem.time[i]
         first = max(min(support[i, 0], support[i, 1]), max(support[i, 0], support[i, 1]) - 4, 0)
         for j in range(samples):
             t = problem.time[i] + (j + 0.5) / samples * duration
             left, right = phases.support_at(track.side, track.contact_time, track.stance_time, first, t)
-            yaw = heading.heading_from(b, track, integral, t)
+            yaw = heading.body_heading(b, track, t)
             for leg, standing_on in ((0, left), (1, right)):
                 problem.standing[i, j, leg] = standing_on >= 0
                 if standing_on >= 0:

@@ -17,7 +17,7 @@ def run(sim: Simulation, seconds: float, recorder: Recorder | None, each_frame=N
     each_frame, if given, is called after every tick. The bar goes to stderr.
     """
     watch = _Watch(sim)
-    ticks = int(round(seconds * sim.tick_rate))
+    ticks = int(round(seconds * sim.tick_rate)) - sim.ticks
     if recorder:
         recorder.capture()
     for k in range(ticks):

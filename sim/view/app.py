@@ -30,6 +30,7 @@ class App:
         self.make, self.sim, self.levels = make, sim, levels
         self.level, self.character, self.seed = options.level, options.character, options.seed
         self.camera = Camera()
+        self.until: float | None = getattr(options, "seconds", None)
         self.paused, self.speed, self.running = False, 1.0, True
         self.show_overlays, self.show_panel, self.show_help = True, True, False
         self.focus, self.behind, self.message = 0, 0.0, ""
@@ -47,10 +48,14 @@ class App:
         if self.paused:
             return
         self.behind += seconds * self.speed * self.sim.tick_rate
-        for _ in range(min(int(self.behind), MOST_TICKS)):
+        for _ in range(min(int(self.behind), MOST_TICKS, self.ticks_left())):
             self.sim.tick()
             self.behind -= 1
         self.behind = min(self.behind, 1.0)
+
+    def ticks_left(self) -> int:
+        """Ticks until --seconds are over; without them, no end is near."""
+        return MOST_TICKS if self.until is None else max(int(round(self.until * self.sim.tick_rate)) - self.sim.ticks, 0)
 
     def rebuild(self) -> None:
         """Starts over with the present level and character; says so where that cannot be, and keeps what runs."""
@@ -157,11 +162,10 @@ def run_window(make, sim: Simulation, options, levels: list[str]) -> int:
     screen = _open_screen(pygame, options.size)
     extras = _Extras(options, app.sim)
     last, frames, began = clock.perf_counter(), 0, clock.perf_counter()
-    while app.running and (options.seconds is None or app.sim.time < options.seconds):
+    while app.running and app.ticks_left():
         for event in pygame.event.get():
             handle(app, screen, event, pygame)
         now = clock.perf_counter()
-        # a recording holds every tick, whatever the frame rate
         app.advance(now - last)
         extras.follow(app.sim)
         last = now

@@ -124,3 +124,18 @@ def test_live_window_is_near_the_global_optimum():
 
     sim, times, controls, _ = live.wander_windows(seed=2)
     assert 1.0 <= live.over_global(sim, times, controls) <= 1.2
+
+
+def test_late_frames_are_the_same_to_the_bit():
+    """A window that falls behind captures several ticks at once, after later footprints were placed."""
+    prompt, late = (make_simulation("forest", "bird", 1, 3, False) for _ in range(2))
+    early, after = Recorder(prompt), Recorder(late)
+    for k in range(1, 601):
+        prompt.tick()
+        early.capture()
+        late.tick()
+        if k % 6 == 0:
+            for tick in range(k - 5, k + 1):
+                after.capture(tick / 60)
+    for name, array in early.arrays().items():
+        assert array.tobytes() == after.arrays()[name].tobytes(), name
