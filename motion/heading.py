@@ -8,6 +8,8 @@ half a step ahead of the body, and a box average over the last WINDOW seconds ta
 so the heading at t needs no footprint beyond the next, and never changes when later ones arrive.
 """
 
+import numpy as np
+
 from motion.jit import jit
 
 WINDOW_STEPS = 1.0
@@ -36,9 +38,7 @@ def body_heading(b, track, t):
     """
     window = window_length(b)
     begin, upper, total = t - window, t, 0.0
-    last = len(track.side) - 1
-    while last > 0 and track.contact_time[last] > t:
-        last -= 1
+    last = max(np.searchsorted(track.contact_time, t, side="right") - 1, 0)
     for i in range(last, -1, -1):
         lower = max(track.contact_time[i], begin)
         if lower < upper:

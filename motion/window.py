@@ -14,17 +14,20 @@ from motion.jit import jit
 LIVE_SAMPLES = 5
 """Samples per segment of the live window: the residual is nearly linear in a phase, five find it."""
 
+LOOK_BACK = 6
+"""Footprints before the newest among which a standing one is looked for."""
+
 
 @jit
-def lay_samples(b, track, support, problem):
-    """Fills the samples of a problem whose `time` is set. support (m, 2); a sample asks the track who stands at its time.
+def lay_samples(b, track, problem):
+    """Fills the samples of a problem whose `time` is set; a sample asks the track who stands at its time.
 
     A segment of one phase has the phase's support all along; the paper's segments span a step and are sampled by time.
     """
     samples = problem.support_point.shape[1]
     for i in range(len(problem.time) - 1):
         duration = problem.time[i + 1] - problem.time[i]
-        first = max(min(support[i, 0], support[i, 1]), max(support[i, 0], support[i, 1]) - 4, 0)
+        first = max(np.searchsorted(track.contact_time, problem.time[i], side="right") - LOOK_BACK, 0)
         for j in range(samples):
             t = problem.time[i] + (j + 0.5) / samples * duration
             left, right = phases.support_at(track.side, track.contact_time, track.stance_time, first, t)
@@ -55,7 +58,7 @@ def build_problem(b, track, begin, end, samples, by_step):
         m = phases.merge_by_step(time, support, m)
     problem = problems.empty_problem(m, samples, b.nominal_length, b.comfort_weight)
     problem.time[:] = time[: m + 1]
-    lay_samples(b, track, support[:m], problem)
+    lay_samples(b, track, problem)
     return problem, support[:m]
 
 

@@ -62,3 +62,21 @@ def test_greedy_never_climbs():
     coarse, _ = greedy.minimise(problem, control, np.array([0.06]))
     fine, _ = greedy.minimise(problem, control, np.array([0.02]))
     assert fine <= coarse < before
+
+
+def test_long_tracks_grow_no_worse_than_their_problems():
+    """Twice the footprints, twice the segments and the same cost per segment: the sizes that times are linear in."""
+    from motion import window
+    from motion.biped import load_biped
+    from tests.motion.test_pose import straight_walk
+
+    b = load_biped("human").record
+    costs = []
+    for n in (500, 1000):
+        problem, _ = window.build_problem(b, straight_walk(b, n), 0.0, (n - 1) * 0.5, 5, False)
+        control = np.zeros((len(problem.time), 6))
+        straight_guess(problem, control, 0)
+        e, used = newton.minimise(problem, control, newton.LIVE)
+        assert used <= 12
+        costs.append(e / len(control))
+    assert costs[1] == pytest.approx(costs[0], rel=0.1)
