@@ -8,6 +8,9 @@ can push along K = unit(c - s), s its point of support, and never pull.
     double stance  F = a1 K1 + a2 K2, a1, a2 >= 0, nearest  e = |n.w| inside the cone, n = unit(K1 x K2)
     comfort        e = k (l - l_nominal)^2 per standing leg, l = |c - q|, q = ankle minus the hip's offset from c
 
+Not in the paper: reach, k * 20 s * (l - l_max)^2 where l > l_max, once at either end of a segment, where legs are longest: it
+lowers the body before a leg would have to be longer than it is.
+
 Derivatives: for single stance r = -p has dr/da = -P and dr/dc = ((w.K) P + K p^T) / d, d = |c - s|. In double stance
 m = (c - s1) x (c - s2) turns with c as dm = dc x (s1 - s2), so d(n.w)/dc = (s1 - s2) x w_perp / |m|, w_perp the part of w in
 the plane. Gauss-Newton weights each residual by 1 / max(|r|, eps): the exact gradient where |r| > eps.
@@ -20,6 +23,8 @@ from motion.jit import jit
 GRAVITY = 9.81
 """m/s^2, along -z."""
 
+REACH_TIME = 20.0
+"""Weight of a leg beyond full extension, in seconds of discomfort: more keeps it shorter, and solves slower."""
 _NEARLY_PARALLEL = 1e-9
 
 
@@ -69,13 +74,44 @@ def physics_cost(c0, c1, c2, w0, w1, w2, s, standing):
 
 @jit
 def comfort_cost(c0, c1, c2, q, standing, nominal_length, weight):
-    """e_comfort at com c: weight * sum of (leg length - nominal)^2 over the standing legs. q (2, 3)."""
+    """e_comfort at com c: weight * sum of (leg length - nominal)^2 over the standing legs. q (2, 3), nominal_length (2,)."""
     e = 0.0
     for leg in range(2):
         if standing[leg]:
             x, y, z = c0 - q[leg, 0], c1 - q[leg, 1], c2 - q[leg, 2]
-            stretch = sqrt(x * x + y * y + z * z) - nominal_length
+            stretch = sqrt(x * x + y * y + z * z) - nominal_length[leg]
             e += weight * stretch * stretch
+    return e
+
+
+@jit
+def reach_cost(c, q, standing, max_length, weight):
+    """Penalty of legs longer than max_length at com c (3,). q (2, 3), max_length (2,)."""
+    e = 0.0
+    for leg in range(2):
+        if standing[leg]:
+            x, y, z = c[0] - q[leg, 0], c[1] - q[leg, 1], c[2] - q[leg, 2]
+            over = max(sqrt(x * x + y * y + z * z) - max_length[leg], 0.0)
+            e += REACH_TIME * weight * over * over
+    return e
+
+
+@jit
+def add_reach(c, q, standing, max_length, weight, h, g):
+    """Adds the Gauss-Newton block of the reach penalty in c: h (6, 6), lower triangle; g (6,). Returns e."""
+    e = 0.0
+    for leg in range(2):
+        if standing[leg]:
+            u = (c[0] - q[leg, 0], c[1] - q[leg, 1], c[2] - q[leg, 2])
+            length = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
+            over = length - max_length[leg]
+            if over > 0:
+                stiffness = 2 * REACH_TIME * weight
+                e += 0.5 * stiffness * over * over
+                for i in range(3):
+                    g[i] += stiffness * over * u[i] / length
+                    for j in range(i + 1):
+                        h[i, j] += stiffness * u[i] * u[j] / (length * length)
     return e
 
 
@@ -161,7 +197,7 @@ def add_comfort(c0, c1, c2, q, standing, nominal_length, weight, h, g):
             x, y, z = c0 - q[leg, 0], c1 - q[leg, 1], c2 - q[leg, 2]
             length = sqrt(x * x + y * y + z * z) + 1e-300
             u = (x / length, y / length, z / length)
-            stretch = length - nominal_length
+            stretch = length - nominal_length[leg]
             e += weight * stretch * stretch
             for i in range(3):
                 g[i] += 2 * weight * stretch * u[i]

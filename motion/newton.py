@@ -29,6 +29,7 @@ class Effort(NamedTuple):
 TIGHT = Effort(9, 3.0, 3e-4, 60, 1e-7)
 SCENE = Effort(6, 3.0, 3e-3, 20, 1e-4)
 LIVE = Effort(2, 0.05, 3e-3, 6, 1e-3)
+HARDER = Effort(4, 1.0, 3e-3, 10, 1e-3)
 
 
 class Workspace(NamedTuple):
@@ -93,11 +94,16 @@ def assemble(problem, control, eps, work):
             standing = problem.standing[i, j]
             e += scale * cost.add_physics(c0, c1, c2, w0, w1, w2, problem.support_point[i, j], standing, eps, h, g)
             e += scale * cost.add_comfort(
-                c0, c1, c2, problem.leg_origin[i, j], standing, problem.nominal_length, problem.comfort_weight, h, g
+                c0, c1, c2, problem.leg_origin[i, j], standing, problem.nominal_length[i, j], problem.comfort_weight, h, g
             )
             wp = spline.position_weights(s, duration)
             wa = spline.acceleration_weights(s, duration)
             _expand(h, g, wp, wa, scale, work, i)
+        for end in range(2):
+            e += cost.add_reach(
+                control[i + end], problem.end_origin[i, end], problem.end_standing[i, end], problem.max_length,
+                problem.comfort_weight, work.diagonal[i + end], work.gradient[i + end],
+            )  # fmt: skip
     return e
 
 
@@ -113,10 +119,8 @@ def smooth_cost(problem, control, eps):
             c0, c1, c2, w0, w1, w2 = problems.sample_state(control, i, (j + 0.5) / samples, duration)
             standing = problem.standing[i, j]
             r = cost.physics_cost(c0, c1, c2, w0, w1, w2, problem.support_point[i, j], standing)
-            part += cost.smooth_norm(r, eps) + cost.comfort_cost(
-                c0, c1, c2, problem.leg_origin[i, j], standing, problem.nominal_length, problem.comfort_weight
-            )
-        e += part * duration / samples
+            part += cost.smooth_norm(r, eps) + problems.comfort_of_sample(problem, i, j, c0, c1, c2)
+        e += part * duration / samples + problems.reach_of_segment(problem, control, i)
     return e
 
 

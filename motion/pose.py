@@ -33,8 +33,10 @@ class Pose(NamedTuple):
     comfort_cost: np.ndarray  # (C,)
 
 
-FREE_REACH = 0.97
-"""A swinging leg keeps below this share of its full length; a standing one reaches for its footprint whatever it takes."""
+FREE_REACH = 0.94
+"""Share of its full length up to which a swinging leg goes freely; a standing one reaches for its footprint in any case."""
+ENDS = 0.12
+"""Share of the swing, at either end, over which this sets in."""
 VECTORS = ("hip", "knee", "hock", "ankle", "heel", "ball", "toe")
 
 
@@ -96,13 +98,21 @@ def _fly(b, track, last, following, stance, t, pose, c, leg):
 
 @jit
 def _pull_in(b, hip, s, pose, c, leg):
-    """Draws a swinging foot toward its hip where the leg would be longer than it is, as far as it is off its footprints."""
+    """Draws a swinging foot toward its hip where the leg would be nearly as long as it can be.
+
+    A leg of length l beyond FREE_REACH of its full one, R, is shortened smoothly to FREE + (R - FREE) (1 - exp(-x)), x = (l -
+    FREE) / (R - FREE). At the ends of the swing the foot is on its footprints, so it leaves and enters this within ENDS; a
+    leg longer than R it never is.
+    """
     ankle = pose.ankle[c, leg]
     x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
     length = np.sqrt(x * x + y * y + z * z)
-    excess = length - FREE_REACH * b.max_length
-    if excess > 0:
-        share = min(2 * swing.bump(s), 1.0) * excess / length
+    free = FREE_REACH * b.max_length
+    if length > free:
+        room = b.max_length - free
+        wanted = free + room * (1 - np.exp((free - length) / room))
+        off = 1 - swing.fade(min(s, 1 - s), ENDS)
+        share = 1 - min(length + off * (wanted - length), b.max_length) / length
         for array in (pose.ankle, pose.heel, pose.ball, pose.toe):
             array[c, leg, 0] -= share * x
             array[c, leg, 1] -= share * y
@@ -158,4 +168,4 @@ def pose_kernel(b, track, curve_time, control, t, pose, c):
     for leg in range(2):
         if standing[leg]:
             length = np.sqrt(np.sum((pose.hip[c, leg] - pose.ankle[c, leg]) ** 2))
-            pose.comfort_cost[c] += b.comfort_weight * (length - b.nominal_length) ** 2
+            pose.comfort_cost[c] += b.comfort_weight * (length - track.nominal_length[support[leg]]) ** 2

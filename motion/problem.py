@@ -21,21 +21,27 @@ class Problem(NamedTuple):
     support_point: np.ndarray  # (m, S, 2, 3) point of support per foot [m]
     leg_origin: np.ndarray  # (m, S, 2, 3) ankle minus the hip's offset from the com [m]: leg length = |com - this|
     standing: np.ndarray  # (m, S, 2) bool
+    end_origin: np.ndarray  # (m, 2, 2, 3) the same as leg_origin, at the beginning and the end of the segment
+    end_standing: np.ndarray  # (m, 2, 2) bool
     fixed: np.ndarray  # (m + 1,) bool: control points that may not move
-    nominal_length: float  # [m]
+    nominal_length: np.ndarray  # (m, S, 2) of the standing legs [m]
+    max_length: np.ndarray  # (2,) of the left and right leg [m]; infinite: reach does not count
     comfort_weight: float  # [1/s^2/m]
 
 
 @jit
-def empty_problem(segments, samples, nominal_length, comfort_weight):
-    """A problem of that size with nobody standing and nothing fixed."""
+def empty_problem(segments, samples, nominal_length, max_length, comfort_weight):
+    """A problem of that size with nobody standing and nothing fixed, all legs of one nominal length."""
     return Problem(
         np.zeros(segments + 1),
         np.zeros((segments, samples, 2, 3)),
         np.zeros((segments, samples, 2, 3)),
         np.zeros((segments, samples, 2), np.bool_),
+        np.zeros((segments, 2, 2, 3)),
+        np.zeros((segments, 2, 2), np.bool_),
         np.zeros(segments + 1, np.bool_),
-        nominal_length,
+        np.full((segments, samples, 2), nominal_length),
+        np.full(2, max_length),
         comfort_weight,
     )
 
@@ -57,6 +63,26 @@ def sample_state(control, i, s, duration):
 
 
 @jit
+def comfort_of_sample(problem, i, j, c0, c1, c2):
+    """e_comfort of sample j of segment i with the com at c."""
+    return cost.comfort_cost(
+        c0, c1, c2, problem.leg_origin[i, j], problem.standing[i, j], problem.nominal_length[i, j], problem.comfort_weight
+    )
+
+
+@jit
+def reach_of_segment(problem, control, i):
+    """The reach penalties at both ends of segment i."""
+    e = 0.0
+    for end in range(2):
+        e += cost.reach_cost(
+            control[i + end], problem.end_origin[i, end], problem.end_standing[i, end], problem.max_length,
+            problem.comfort_weight,
+        )  # fmt: skip
+    return e
+
+
+@jit
 def segment_cost(problem, control, i):
     """Segment i's share of E (the true norm, not smoothed)."""
     samples = problem.support_point.shape[1]
@@ -66,8 +92,8 @@ def segment_cost(problem, control, i):
         c0, c1, c2, w0, w1, w2 = sample_state(control, i, (j + 0.5) / samples, duration)
         standing = problem.standing[i, j]
         e += cost.physics_cost(c0, c1, c2, w0, w1, w2, problem.support_point[i, j], standing)
-        e += cost.comfort_cost(c0, c1, c2, problem.leg_origin[i, j], standing, problem.nominal_length, problem.comfort_weight)
-    return e * duration / samples
+        e += comfort_of_sample(problem, i, j, c0, c1, c2)
+    return e * duration / samples + reach_of_segment(problem, control, i)
 
 
 @jit
@@ -90,7 +116,7 @@ def straight_guess(problem, control, first):
         sums = np.zeros(3)
         found = _add_origins(problem, max(i - 1, 0), last_sample, sums) + _add_origins(problem, min(i, m - 1), 0, sums)
         control[i, :3] = sums / max(found, 1)
-        control[i, 2] += 0.97 * problem.nominal_length
+        control[i, 2] += 0.97 * problem.nominal_length[min(i, m - 1), 0, 0]
     for i in range(first, m + 1):
         if not problem.fixed[i]:
             _guess_velocity(problem, control, i)

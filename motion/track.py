@@ -20,4 +20,5 @@ class Track(NamedTuple):
     stance_time: np.ndarray  # (n,) [s]
     step_time: np.ndarray  # (n,) [s] until the next footfall
     roll: np.ndarray  # (n, 2) where on the sole the support begins and ends: 0 heel, 1 toe; 0.5 where the foot stands
+    nominal_length: np.ndarray  # (n,) comfortable virtual leg over this footprint [m]: less is crouched
     lift: np.ndarray  # (n,) [m] height of the swing that arrives here above the line between its ends

@@ -14,6 +14,13 @@ from motion.jit import jit
 LIVE_SAMPLES = 5
 """Samples per segment of the live window: the residual is nearly linear in a phase, five find it."""
 
+HARD = 0.4
+"""Mean cost [m/s^2] of a window above which it gets more effort: leaps, which are rare; walking stays below."""
+TOO_FAR = 1e-3
+"""Reach penalty from which on the legs are too long: one leg by some 0.7 mm."""
+FULL_REACH = 0.995
+"""Share of max_length from which on reach counts: the penalty gives a little, the leg shall not."""
+
 LOOK_BACK = 6
 """Footprints before the newest among which a standing one is looked for."""
 
@@ -30,22 +37,42 @@ def lay_samples(b, track, problem):
         first = max(np.searchsorted(track.contact_time, problem.time[i], side="right") - LOOK_BACK, 0)
         for j in range(samples):
             t = problem.time[i] + (j + 0.5) / samples * duration
-            left, right = phases.support_at(track.side, track.contact_time, track.stance_time, first, t)
+            support = phases.support_at(track.side, track.contact_time, track.stance_time, first, t)
             yaw = heading.body_heading(b, track, t)
-            for leg, standing_on in ((0, left), (1, right)):
-                problem.standing[i, j, leg] = standing_on >= 0
-                if standing_on >= 0:
-                    _lay_leg(b, track, standing_on, leg, yaw, t, problem.support_point[i, j], problem.leg_origin[i, j])
+            for leg in range(2):
+                n = support[leg]
+                problem.standing[i, j, leg] = n >= 0
+                if n >= 0:
+                    problem.nominal_length[i, j, leg] = track.nominal_length[n]
+                    problem.support_point[i, j, leg] = foot.point_of_support(b, track, n, _share(track, n, t))
+                    _lay_origin(b, track, n, leg, yaw, t, problem.leg_origin[i, j])
+            if j == 0:
+                _lay_end(b, track, support, problem.time[i], problem.end_origin[i, 0], problem.end_standing[i, 0])
+            if j == samples - 1:
+                _lay_end(b, track, support, problem.time[i + 1], problem.end_origin[i, 1], problem.end_standing[i, 1])
 
 
 @jit
-def _lay_leg(b, track, n, leg, yaw, t, support_point, leg_origin):
-    u = min(max((t - track.contact_time[n]) / track.stance_time[n], 0.0), 1.0)
-    support_point[leg] = foot.point_of_support(b, track, n, u)
+def _lay_end(b, track, support, t, origin, standing):
+    """The legs at an end of a segment are those of its nearest sample."""
+    yaw = heading.body_heading(b, track, t)
+    for leg in range(2):
+        standing[leg] = support[leg] >= 0
+        if support[leg] >= 0:
+            _lay_origin(b, track, support[leg], leg, yaw, t, origin)
+
+
+@jit
+def _share(track, n, t):
+    return min(max((t - track.contact_time[n]) / track.stance_time[n], 0.0), 1.0)
+
+
+@jit
+def _lay_origin(b, track, n, leg, yaw, t, origin):
     hip = foot.hip_offset(b, leg, yaw)
-    ankle = foot.stance_ankle(b, track, n, u)
+    ankle = foot.stance_ankle(b, track, n, _share(track, n, t))
     for axis in range(3):
-        leg_origin[leg, axis] = ankle[axis] - hip[axis]
+        origin[leg, axis] = ankle[axis] - hip[axis]
 
 
 @jit
@@ -56,7 +83,7 @@ def build_problem(b, track, begin, end, samples, by_step):
     m = phases.build_phases(track.side, track.contact_time, track.stance_time, begin, end, time, support)
     if by_step:
         m = phases.merge_by_step(time, support, m)
-    problem = problems.empty_problem(m, samples, b.nominal_length, b.comfort_weight)
+    problem = problems.empty_problem(m, samples, b.nominal_length, FULL_REACH * b.max_length, b.comfort_weight)
     problem.time[:] = time[: m + 1]
     lay_samples(b, track, problem)
     return problem, support[:m]
@@ -77,6 +104,8 @@ def _warm_start(problem, control, old_time, old_control):
 def optimise_window(b, track, begin, end, start, old_time, old_control, effort):
     """Optimises [begin, end] from the committed state start (6,); returns (time, control, support, E, iterations).
 
+    Walking keeps within reach by itself, so reach counts only where the first solve left it: its stiffness costs iterations.
+
     old_time (k + 1,) and old_control (k + 1, 6) are the previous window's curve (k = 0: none, a cold start).
     """
     problem, support = build_problem(b, track, begin, end, LIVE_SAMPLES, False)
@@ -86,5 +115,10 @@ def optimise_window(b, track, begin, end, start, old_time, old_control, effort):
     first = _warm_start(problem, control, old_time, old_control) if len(old_time) > 1 else 1
     if first < len(problem.time):
         problems.straight_guess(problem, control, first)
+    problem.max_length[:] = np.inf
     e, iterations = newton.minimise(problem, control, effort)
+    problem.max_length[:] = FULL_REACH * b.max_length
+    if problems.total_cost(problem, control) > e + TOO_FAR or e > HARD * (problem.time[-1] - problem.time[0]):
+        e, more = newton.minimise(problem, control, newton.HARDER)
+        iterations += more
     return problem.time, control, support, e, iterations

@@ -88,10 +88,9 @@ class Ways:
     distance: np.ndarray
     parent: np.ndarray
 
-    def length(self, x: float, y: float) -> float:
-        """Metres to a point, infinite where no way leads."""
-        cell = self.land.cell(x, y)
-        return float(self.distance[cell]) if cell else np.inf
+    def lengths(self, cells: list) -> np.ndarray:
+        """Metres to each of these cells of the land, infinite where no way leads or there is none."""
+        return np.array([self.distance[cell] if cell else np.inf for cell in cells])
 
     def polyline(self, world: World, x: float, y: float) -> np.ndarray:
         """The way to a point, (P, 2): pulled straight where the line is clear, then rounded."""

@@ -55,13 +55,14 @@ class _Search:
         """(K + 1, K + 1) seconds over land between bank spots; the last row is the start, the last column the goal."""
         k = len(self.spots.rock)
         banks = np.flatnonzero(self.spots.rock < 0)
+        cells = [self.land.cell(*place[:2]) for place in self.spots.place[banks]]
+        goal = self.land.cell(*self.goal)
         pace = float(search.slowest_pace(self.biped.record))
         seconds = np.full((k + 1, k + 1), np.inf)
         for i in [*banks, START]:
             ways = self.ways_from(int(i))
             if ways is not None:
-                seconds[i, k] = ways.length(*self.goal) * pace
-                seconds[i, banks] = [ways.length(*place[:2]) * pace for place in self.spots.place[banks]]
+                seconds[i, [*banks, k]] = ways.lengths([*cells, goal]) * pace
         return seconds
 
     def run(self) -> list:

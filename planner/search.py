@@ -15,8 +15,9 @@ from planner.timing import step_timing
 
 SHARPEST = 2.2
 """Largest angle between two steps in a row, in units of the character's max_turn: headings turn by half of it."""
-LEAP_EFFORT, TURN_EFFORT, CLIMB_EFFORT, CROSSING_EFFORT = 0.6, 0.3, 0.8, 1.5
-"""Seconds that effort is worth: a leap; a radian of turn; a climb of the hip's height; a foot crossed by a preferred step."""
+LEAP_EFFORT, HOP_EFFORT, TURN_EFFORT, CLIMB_EFFORT, CROSSING_EFFORT = 0.6, 0.4, 0.3, 0.8, 1.5
+"""Seconds that effort is worth: a leap; a hop on one side; a radian of turn; a climb of the hip's height; a foot crossed by
+a preferred step."""
 
 
 @jit
@@ -26,12 +27,12 @@ def slowest_pace(b):
 
 
 @jit
-def step_cost(b, length, rise, turn, crossed):
-    """Cost of a step [s]: its time, and what its effort is worth."""
-    effort = LEAP_EFFORT if length > b.max_step else 0.0
+def step_cost(b, length, rise, turn, crossed, hop):
+    """Cost of a step or of a hop on the same side [s]: its time, and what its effort is worth."""
+    effort = (LEAP_EFFORT if length > b.max_step else 0.0) + (HOP_EFFORT if hop else 0.0)
     effort += TURN_EFFORT * turn + CLIMB_EFFORT * max(rise, 0.0) / b.hip_height
     effort += CROSSING_EFFORT * crossed / b.preferred_step
-    return step_timing(b, length, rise, 0.5 * turn, False)[0] + effort
+    return step_timing(b, length, rise, 0.5 * turn, hop)[0] + effort
 
 
 @jit
@@ -41,7 +42,8 @@ def fastest(b):
     for k in range(1, 101):
         length = b.max_leap * k / 100
         for rise in (0.0, -b.max_drop):
-            best = max(best, length / step_cost(b, length, rise, 0.0, 0.0))
+            for hop in (False, True):
+                best = max(best, length / step_cost(b, length, rise, 0.0, 0.0, hop))
     return best
 
 
@@ -56,9 +58,12 @@ def can_step(b, place, rock, i, j):
 
 
 @jit
-def directed_cost(b, place, before, i, j, foot):
-    """Cost of the other foot's step from spot i, where `foot` stands, to j, coming from `before` (-1: none); inf if it
-    would turn too sharply or cross the legs too far."""
+def directed_cost(b, place, before, i, j, foot, hop):
+    """Cost of a step from spot i, where `foot` stands, to j, coming from `before` (-1: none).
+
+    The other foot steps, or with `hop` the same one, no farther than a walking step. inf if it would turn too sharply or
+    cross the legs too far.
+    """
     dx, dy = place[j, 0] - place[i, 0], place[j, 1] - place[i, 1]
     length = hypot(dx, dy)
     ahead = atan2(dy, dx)
@@ -67,10 +72,10 @@ def directed_cost(b, place, before, i, j, foot):
     if abs(turned) > (3.0 if length < 0.6 * b.preferred_step else SHARPEST * b.max_turn):
         return np.inf
     across = length * sin(turned)
-    crossed = max(across if foot == 0 else -across, 0.0)
-    if crossed > 0.45 * b.preferred_step:
+    crossed = 0.0 if hop else max(across if foot == 0 else -across, 0.0)
+    if crossed > 0.45 * b.preferred_step or (hop and length > b.max_step):
         return np.inf
-    return step_cost(b, length, place[j, 2] - place[i, 2], abs(turned), crossed)
+    return step_cost(b, length, place[j, 2] - place[i, 2], abs(turned), crossed, hop)
 
 
 @jit
@@ -111,8 +116,10 @@ def find(b, place, rock, walks, start, foot):
         elif spot < k:
             for j in range(k):
                 if near[spot, j]:
-                    cost = directed_cost(b, place, before if before < k else -1, spot, j, foot)
-                    _reach(best, parent, heap, place, speed, k, code, j, spot, 1 - foot, 1, cost)
+                    came = before if before < k else -1
+                    for hop in (False, True):
+                        cost = directed_cost(b, place, came, spot, j, foot, hop)
+                        _reach(best, parent, heap, place, speed, k, code, j, spot, foot if hop else 1 - foot, 1, cost)
     return np.zeros((0, 4), np.int64), reached
 
 

@@ -21,8 +21,8 @@ LONGEST_STEP = 2.2
 """Step time of a walk in pendulum times sqrt(h / g): shorter is scurrying, longer is dawdling."""
 LEAST_SWING = 0.9
 """Shortest time for a swing, in pendulum times."""
-PUSH = 0.9
-"""Stance before a leap, in pendulum times."""
+PUSH, LEAST_PUSH, COVER = 0.9, 0.5, 1.3
+"""Stance before a leap: longest and shortest, in pendulum times, and in times that the leg's reach is crossed at its speed."""
 SNAP = 0.02
 """Overlaps and flights shorter than this [s] become none: a sliver of a phase is not to be seen."""
 
@@ -82,5 +82,6 @@ def _leap(b, length, rise, slower):
     """Ballistic: d = v^2 sin(2 alpha) / g gives t^2 = 2 (d tan(alpha) - rise) / g; part of d is covered while standing."""
     distance = max(length - 0.5 * b.leap_length, 0.3 * length)
     flight = sqrt(2 * max(distance * tan(b.takeoff_angle) - rise, 0.04 * b.hip_height) / GRAVITY)
-    stance = PUSH * pendulum_time(b) * slower
+    crossing = 0.5 * b.leap_length * flight / distance
+    stance = min(max(COVER * crossing, LEAST_PUSH * pendulum_time(b)), PUSH * pendulum_time(b)) * slower
     return stance + flight, stance

@@ -43,6 +43,7 @@ class Crowd(NamedTuple):
     stance_time: np.ndarray
     step_time: np.ndarray
     roll: np.ndarray
+    nominal_length: np.ndarray
     lift: np.ndarray
     rock: np.ndarray  # (C, rows) rock under the footprint, -1 on land
     curve_count: np.ndarray  # (C,) committed segments in the row
@@ -73,6 +74,7 @@ def empty_crowd(kind: np.ndarray) -> Crowd:
         stance_time=np.zeros((c, rows)),
         step_time=np.zeros((c, rows)),
         roll=np.zeros((c, rows, 2)),
+        nominal_length=np.zeros((c, rows)),
         lift=np.zeros((c, rows)),
         rock=np.full((c, rows), -1),
         curve_count=np.zeros(c, np.int64),
@@ -99,6 +101,7 @@ def track_of(crowd, c, n):
         crowd.stance_time[c, :n],
         crowd.step_time[c, :n],
         crowd.roll[c, :n],
+        crowd.nominal_length[c, :n],
         crowd.lift[c, :n],
     )
 
@@ -117,6 +120,7 @@ def stand(crowd, bipeds, c, first_contact, positions, headings, normals, rocks):
         crowd.stance_time[c, i] = 1.0
         crowd.step_time[c, i] = 0.5
         crowd.roll[c, i] = 0.5
+        crowd.nominal_length[c, i] = b.nominal_length
     crowd.real[c], crowd.number[c] = 2, 1
     crowd.standing[c] = True
     yaw = 0.5 * (headings[0] + headings[1])
@@ -136,7 +140,7 @@ def stand(crowd, bipeds, c, first_contact, positions, headings, normals, rocks):
 @jit
 def _shift(crowd, c):
     """Forgets the oldest footprint; the curve over it goes too."""
-    for array in (crowd.heading, crowd.contact_time, crowd.stance_time, crowd.step_time, crowd.lift):
+    for array in (crowd.heading, crowd.contact_time, crowd.stance_time, crowd.step_time, crowd.nominal_length, crowd.lift):
         array[c, :-1] = array[c, 1:].copy()
     for array in (crowd.side, crowd.rock):
         array[c, :-1] = array[c, 1:].copy()
@@ -214,6 +218,7 @@ def _place(crowd, bipeds, w, plans, c, seed, n, step):
         crowd.normal[c, two], crowd.rock[c, two],
     )  # fmt: skip
     _write(crowd, c, n, placed)
+    crowd.nominal_length[c, n] = b.nominal_length
     _time(crowd, bipeds, c, n, placed)
     before = n - 1
     while before > 0 and crowd.side[c, before] != placed.side:

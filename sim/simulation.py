@@ -33,7 +33,8 @@ class Simulation:
         self._placed = np.zeros(len(kind), np.int64)
         self._stand_at(planner.starts(world, self.characters, self.seed))
         self.footprints = FootprintLog()
-        self.plans = planner.prepare(world, self.characters, self.standing_on(), np.full(len(kind), 3), self.seed)
+        # Footprint 2 is the right foot standing on: plans begin at footprint 3, when the left one is the older.
+        self.plans = planner.prepare(world, self.characters, self.standing_on()[:, ::-1], np.full(len(kind), 3), self.seed)
 
     @property
     def time(self) -> float:

@@ -27,9 +27,14 @@ def physics_cost(com, acceleration, supports):
     return float(nnls(legs, w)[1])
 
 
-def comfort_cost(com, origins, nominal_length, weight):
+def comfort_cost(com, origins, nominal_lengths, weight):
     """weight * sum of (l - l_nominal)^2."""
-    return weight * sum((np.linalg.norm(com - q) - nominal_length) ** 2 for q in origins)
+    return weight * sum((np.linalg.norm(com - q) - nominal) ** 2 for q, nominal in zip(origins, nominal_lengths, strict=True))
+
+
+def reach_cost(com, origins, max_length, weight):
+    """20 s * weight * sum of (l - l_max)^2 where a leg is longer."""
+    return 20 * weight * sum(max(np.linalg.norm(com - q) - max_length, 0.0) ** 2 for q in origins)
 
 
 def total_cost(problem, control):
@@ -43,8 +48,12 @@ def total_cost(problem, control):
             com, _, acceleration = hermite(problem.time, control, t)
             on = problem.standing[i, j]
             part = physics_cost(com, acceleration, list(problem.support_point[i, j][on]))
-            part += comfort_cost(com, problem.leg_origin[i, j][on], problem.nominal_length, problem.comfort_weight)
+            legs = problem.leg_origin[i, j][on], problem.nominal_length[i, j][on]
+            part += comfort_cost(com, *legs, problem.comfort_weight)
             e += part * duration / samples
+        for end in (0, 1):
+            legs = problem.end_origin[i, end][problem.end_standing[i, end]]
+            e += reach_cost(control[i + end, :3], legs, problem.max_length[0], problem.comfort_weight)
     return e
 
 

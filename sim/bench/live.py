@@ -65,7 +65,8 @@ def whole_track(sim: Simulation) -> Track:
     roll[:2, 0] = 0.5
     keys = ("side", "position", "heading", "normal", "contact_time", "stance_time", "step_time")
     arrays = {key: np.ascontiguousarray(log[f"footprint_{key}"]) for key in keys}
-    return Track(**arrays, roll=roll, lift=np.zeros(n))
+    nominal = np.full(n, sim.characters[0].record.nominal_length)
+    return Track(**arrays, roll=roll, nominal_length=nominal, lift=np.zeros(n))
 
 
 def over_global(sim: Simulation, times: np.ndarray, controls: np.ndarray) -> float:

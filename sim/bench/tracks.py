@@ -18,7 +18,7 @@ def twelve_steps(
     if flights or by_phase:
         edges += [i * step_time + (stance_time if flights else stance_time - step_time) for i in range(12)]
     time = np.unique(np.round(edges, 9))
-    problem = empty_problem(len(time) - 1, samples, 0.9, 100.0)
+    problem = empty_problem(len(time) - 1, samples, 0.9, np.inf, 100.0)
     problem.time[:] = time
     for i, (begin, end) in enumerate(zip(time[:-1], time[1:], strict=True)):
         for j in range(samples):

@@ -38,7 +38,7 @@ def test_gradient_agrees_with_finite_differences(standing):
         com, w, points = random_moment(rng)
         h, g = np.zeros((6, 6)), np.zeros(6)
         e = cost.add_physics(*com, *w, points, standing, 1e-9, h, g)
-        e += cost.add_comfort(*com, points + 0.05, standing, 0.9, 100.0, h, g)
+        e += cost.add_comfort(*com, points + 0.05, standing, np.array([0.9, 0.85]), 100.0, h, g)
         x, numeric = np.concatenate([com, w]), np.empty(6)
         for k in range(6):
             d = np.zeros(6)
@@ -51,7 +51,7 @@ def test_gradient_agrees_with_finite_differences(standing):
 
 def moment_cost(x, points, standing):
     e = cost.physics_cost(*x, points, standing)
-    return e + cost.comfort_cost(*x[:3], points + 0.05, standing, 0.9, 100.0)
+    return e + cost.comfort_cost(*x[:3], points + 0.05, standing, np.array([0.9, 0.85]), 100.0)
 
 
 def test_track_gradient_agrees_with_finite_differences():

@@ -34,9 +34,10 @@ def dijkstra(b, place, rock, walks, start, foot):
         elif spot < k:
             for j in range(k):
                 if j != spot and search.can_step(b, place, rock, spot, j):
-                    step = search.directed_cost(b, place, before, spot, j, foot)
-                    if np.isfinite(step):
-                        heappush(heap, (cost + step, (j, spot, 1 - foot, 1)))
+                    for hop in (False, True):
+                        step = search.directed_cost(b, place, before, spot, j, foot, hop)
+                        if np.isfinite(step):
+                            heappush(heap, (cost + step, (j, spot, foot if hop else 1 - foot, 1)))
     return np.inf
 
 
@@ -56,9 +57,9 @@ def test_a_star_costs_what_dijkstra_costs(seed):
         assert expected == np.inf
         return
     cost = 0.0
-    for (a, before, foot, _), (z, _, _, arrived) in zip(states, states[1:], strict=False):
+    for (a, before, foot, _), (z, _, then, arrived) in zip(states, states[1:], strict=False):
         walked = walks[a, k if z == k + 1 else z] if not arrived else 0.0
-        cost += walked or search.directed_cost(HUMAN, place, before if before < k else -1, a, z, foot)
+        cost += walked or search.directed_cost(HUMAN, place, before if before < k else -1, a, z, foot, foot == then)
     assert cost == pytest.approx(expected)
 
 
@@ -75,10 +76,25 @@ def test_routes_stand_wholly_on_rocks_or_land(name):
     assert np.hypot(*(prints[-1, 1:3] - world.goal)) < world.goal_radius
     for _, x, y, _ in prints:
         assert queries.rock_under(world.arrays, x, y, sole) >= 0 or queries.water_clearance(world.arrays, x, y) >= sole
-    assert (np.diff(prints[:, 0]) != 0).all()
+    hops = np.diff(prints[:, 0]) == 0
+    assert np.hypot(*np.diff(prints[:, 1:3], axis=0)[hops].T).max(initial=0) <= HUMAN.max_step
     steps = np.hypot(*np.diff(prints[:, 1:3], axis=0).T)
     assert steps.max() <= HUMAN.max_leap + 0.2
     assert np.abs(np.diff(prints[:, 3])).max() < 2.0
+
+
+def test_hops_where_a_foot_would_have_to_cross():
+    """Three stones that turn right by 60 degrees twice: one of the turns would cross the legs, so a foot hops."""
+    ways = np.radians([0, -60, -120])
+    corners = 0.9 * np.cumsum(np.column_stack([np.cos(ways), np.sin(ways)]), axis=0)
+    height = [0.35, 0.5, 0.1, -0.3]  # too high for short cuts
+    place = np.vstack([np.column_stack([[(0, 0), *corners], height]), [(-1, 0, 0), (0, -2, 0)]])
+    walks = np.full((5, 5), np.inf)
+    walks[4, 0] = walks[3, 4] = 1.0
+    states, _ = search.find(HUMAN, place, np.array([-1, 0, 1, -1]), walks, 4, 0)
+    spots, feet = states[:, 0], states[:, 2]
+    assert list(spots) == [4, 0, 1, 2, 3, 5]
+    assert sum(feet[k] == feet[k + 1] for k in (1, 2, 3)) == 1
 
 
 def test_no_way_names_the_gap():

@@ -54,6 +54,7 @@ def test_rivers_are_crossed(level, character):
     assert sim.reached_goal.all()
     assert worst["stance_slide"] <= 1e-3 and worst["penetration"] <= 5e-3
     assert worst["flight_residual"] <= 0.2 and worst["mean_physics_cost"] <= 0.3
+    assert worst["overreach"] <= 1e-3
 
 
 def crowd_digest(threads):
