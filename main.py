@@ -11,7 +11,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 VENV = HERE / ".venv"
 NEEDED = ("numpy", "pygame", "moderngl", "numba", "imgui_bundle", "OpenGL", "pydantic", "PIL")
-NEEDED_BY_TESTS = ("pytest", "hypothesis", "scipy", "mypy", "importlinter", "imageio_ffmpeg")
+NEEDED_BY_TESTS = ("pytest", "hypothesis", "scipy", "mypy", "importlinter", "imageio_ffmpeg", "matplotlib")
 DONE, BAD_INPUT, IMPOSSIBLE = 0, 2, 3
 
 
@@ -44,8 +44,17 @@ def parser() -> argparse.ArgumentParser:
     wander.add_argument("level", nargs="?", default="forest", help="a level that ships, or a .toml file")
     river = commands.add_parser("river", help="cross a river on its rocks")
     river.add_argument("level", nargs="?", default="river_easy", help="a level that ships, or a .toml file")
-    for job in (wander, river):
+    play = commands.add_parser("play", help="play a scripted scene: footprints from a file")
+    play.add_argument(
+        "level", nargs="?", default="fig01_steps_and_a_hop", metavar="SCENE", help="a scene that ships, or a .toml file"
+    )
+    play.add_argument("--list", action="store_true", help="name the scenes that ship")
+    for job in (wander, river, play):
         _common(job)
+    play.set_defaults(character=None)
+    sheets = commands.add_parser("sheets", help="draw a contact sheet of every scene")
+    sheets.add_argument("scenes", nargs="*", metavar="SCENE", help="only these")
+    sheets.add_argument("--folder", default="docs/scenes", help="where to write them")
     measure = commands.add_parser("measure", help="measure the quality of a recorded run")
     measure.add_argument("recording", metavar="RUN.npz")
     measure.add_argument("--json", action="store_true")

@@ -47,12 +47,18 @@ def point_of_support(b, track, n, u):
 
 @jit
 def heel_off_angle(b, roll_end, u):
-    """Pitch of the foot about its ball [rad] at share u: zero until heel-off, then smoothly up to heel_off_angle."""
+    """Pitch of the foot about its ball [rad] at share u: zero until heel-off, then smoothly up to leaving_angle."""
     begin = 1 - b.heel_off_fraction
-    if u <= begin or roll_end < 1:
+    if u <= begin:
         return 0.0
     s = (u - begin) / b.heel_off_fraction
-    return b.heel_off_angle * s * s * (3 - 2 * s)
+    return leaving_angle(b, roll_end) * s * s * (3 - 2 * s)
+
+
+@jit
+def leaving_angle(b, roll_end):
+    """Pitch of the foot when it leaves: heel_off_angle off the toe, none off the middle or the heel."""
+    return b.heel_off_angle * max(2 * roll_end - 1, 0.0)
 
 
 @jit

@@ -1,7 +1,8 @@
 """Body heading: a function of the footprints alone (paper, section 2.5).
 
-The mean heading of footprints i and i + 1 holds at contact i; between contacts it goes linearly. That broken line runs
-half a step ahead of the body, and a box average over the last WINDOW seconds takes the lead back and rounds the corners:
+The mean heading of footprints i and i + 1, each with its `facing` (how far the body turns away from it), holds at contact
+i; between contacts it goes linearly. That broken line runs half a step ahead of the body, and a box average over the last
+WINDOW seconds takes the lead back and rounds the corners:
 
     heading(t) = 1/W integral over [t - W, t] of line(tau) dtau
 
@@ -26,7 +27,7 @@ def window_length(b):
 def _value(track, i):
     n = len(track.side)
     j = min(i + 1, n - 1)
-    return 0.5 * (track.heading[i] + track.heading[j])
+    return 0.5 * (track.heading[i] + track.facing[i] + track.heading[j] + track.facing[j])
 
 
 @jit

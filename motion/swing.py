@@ -79,7 +79,7 @@ def sole_at(b, track, n, m, stance, s):
     ny = track.normal[n, 1] + w * (track.normal[m, 1] - track.normal[n, 1])
     nz = track.normal[n, 2] + w * (track.normal[m, 2] - track.normal[n, 2])
     length = (nx * nx + ny * ny + nz * nz) ** 0.5
-    left_with = b.heel_off_angle if track.roll[n, 1] >= 1 else 0.0
+    left_with = foot.leaving_angle(b, track.roll[n, 1])
     pitch = left_with * fade(s, PITCH_FADE)
     flex = left_with * fade(s, FLEX_FADE)
     return ball, heading, (nx / length, ny / length, nz / length), pitch, flex

@@ -19,6 +19,7 @@ class Track(NamedTuple):
     contact_time: np.ndarray  # (n,) [s]
     stance_time: np.ndarray  # (n,) [s]
     step_time: np.ndarray  # (n,) [s] until the next footfall
-    roll: np.ndarray  # (n, 2) where on the sole the support begins and ends: 0 heel, 1 toe; 0.5 where the foot stands
+    roll: np.ndarray  # (n, 2) where on the sole the support begins and ends: 0 heel, 1 toe, 0.5 the middle
     nominal_length: np.ndarray  # (n,) comfortable virtual leg over this footprint [m]: less is crouched
+    facing: np.ndarray  # (n,) how far the body turns away from the feet over this footprint [rad]
     lift: np.ndarray  # (n,) [m] height of the swing that arrives here above the line between its ends

@@ -101,6 +101,19 @@ def _warm_start(problem, control, old_time, old_control):
 
 
 @jit
+def optimise_track(b, track, begin, end, start, finish, samples, by_step, effort):
+    """Optimises the whole motion from state start (6,) to finish (6,); returns (time, control, support, E, iterations)."""
+    problem, support = build_problem(b, track, begin, end, samples, by_step)
+    control = np.zeros((len(problem.time), 6))
+    control[0], control[-1] = start, finish
+    problem.fixed[0] = problem.fixed[-1] = True
+    problems.straight_guess(problem, control, 1)
+    problem.max_length[:] = FULL_REACH * b.max_length
+    e, iterations = newton.minimise(problem, control, effort)
+    return problem.time, control, support, e, iterations
+
+
+@jit
 def optimise_window(b, track, begin, end, start, old_time, old_control, effort):
     """Optimises [begin, end] from the committed state start (6,); returns (time, control, support, E, iterations).
 

@@ -9,6 +9,8 @@ from worlds.arrays import FLAT, HEIGHTMAP, HILLS
 
 SAMPLES = 41
 """Shares of the swing at which the ground below the foot is asked for."""
+SHORT = 0.15
+"""A step shorter than this [m] does not roll over the whole foot."""
 EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
 
@@ -36,6 +38,15 @@ def lay_sole(b, w, x, y, heading, rock):
     dx, dy = along * c - across * s, along * s + across * c
     length = sqrt(dx * dx + dy * dy + 1)
     return max(middle, 0.5 * (toe + heel)), -dx / length, -dy / length, 1 / length
+
+
+@jit
+def forwardness(p, q, heading):
+    """How far the step from p to q goes along the heading: 1 forward, -1 backward, 0 sideways or on the spot."""
+    dx, dy = q[0] - p[0], q[1] - p[1]
+    length = sqrt(dx * dx + dy * dy)
+    share = (dx * cos(heading) + dy * sin(heading)) / max(length, SHORT)
+    return min(max(1.25 * share, -1.0), 1.0)
 
 
 @jit

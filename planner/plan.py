@@ -72,6 +72,16 @@ def _stay(w, side, position, heading, normal, rock, wait):
 
 
 @jit
+def scripted(b, w, script, k, track):
+    """Footprint of row k of a planner.script.Script, after a track that ends in the last two footprints."""
+    n = len(track.side)
+    if script.wait[k] > 0:
+        rock = queries.rock_under(w, track.position[n - 2, 0], track.position[n - 2, 1], placing.EDGE)
+        return _stay(w, script.side[k], track.position[n - 2], track.heading[n - 2], track.normal[n - 2], rock, script.wait[k])
+    return _put(b, w, script.side[k], script.place[k, 0], script.place[k, 1], script.heading[k])
+
+
+@jit
 def next_footprint(b, w, plans, c, seed, step, side, position, heading, normal, rock):
     """Footprint number `step` of character c after the last two, given as rows 0 and 1: side (2,), position (2, 3), ..."""
     number = step - plans.route_begin[c]

@@ -4,17 +4,21 @@ import json
 import os
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 from motion.biped import CharacterError, load_biped
 from planner.rock_hop import NoWay, RockHop
 from planner.wandering import Wander
+from sim.cast import Cast
 from sim.measure import in_words, measure
+from sim.performance import Performance
 from sim.recording import Recorder, load_recording
 from sim.run import run as run_headless
 from sim.simulation import Simulation
 from worlds.errors import InputError
 from worlds.level import level_names, load_level
+from worlds.scene import load_scene, scene_names
 
 DONE, BAD_INPUT, IMPOSSIBLE = 0, 2, 3
 HEADLESS_SECONDS = 20.0
@@ -24,7 +28,15 @@ LEFT_BEHIND = ("footfall.png", "footfall.npz")
 
 def run(options) -> int:
     """Runs the command of `options`; errors of people become one message and a status."""
-    commands = {"wander": _walk, "river": _walk, "measure": _measure, "check": _check, "bench": _bench}
+    commands = {
+        "wander": _walk,
+        "river": _walk,
+        "play": _play,
+        "sheets": _sheets,
+        "measure": _measure,
+        "check": _check,
+        "bench": _bench,
+    }
     try:
         return commands[options.command](options)
     except (InputError, CharacterError) as error:
@@ -44,20 +56,58 @@ def make_simulation(level, character, characters: int, seed: int, river: bool) -
     return Simulation(world, crowd, RockHop() if river else Wander(), seed)
 
 
+def _play(options) -> int:
+    """A scripted scene: solved as a whole, then shown, recorded or drawn like any run."""
+    if options.list:
+        for name in scene_names():
+            print(f"{name:24}{load_scene(name).about}")
+        return DONE
+
+    def make(scene=options.level, character=options.character, seed=0) -> Performance:
+        return Performance(replace(load_scene(scene), **({"character": character} if character else {})))
+
+    return _show(options, make, scene_names())
+
+
+def _sheets(options) -> int:
+    """A contact sheet of every scene, or of those named."""
+    from sim.view.gl import HINT, NoGL
+    from sim.view.sheet import write_sheets
+
+    folder = Path(options.folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        paths = write_sheets({Path(n).stem: Performance(load_scene(n)) for n in options.scenes or scene_names()}, folder)
+    except NoGL as error:
+        raise InputError(f"contact sheets: {HINT} ({error})") from None
+    print(f"wrote {len(paths)} contact sheets to {folder.resolve()}")
+    return DONE
+
+
 def _walk(options) -> int:
-    _writable(options.record, options.screenshot, options.video)
 
     def make(level=options.level, character=options.character, seed=options.seed) -> Simulation:
         return make_simulation(level, character, options.characters, seed, options.command == "river")
 
+    levels = [name for name in level_names() if (load_level(name).goal is not None) == (options.command == "river")]
+    return _show(options, make, levels)
+
+
+def _show(options, make, names: list[str]) -> int:
+    """Runs what `make` makes, in a window where there is one; `names` are what the window can go on to."""
+    _writable(options.record, options.screenshot, options.video)
+    begin = time.perf_counter()
+    if not options.json:
+        print("Getting ready (the first start compiles for up to a minute) ...", file=sys.stderr, flush=True)
     sim = make()
-    _warm_up(sim, options.json)
+    sim.snapshot()
+    if not options.json:
+        print(f"Ready after {time.perf_counter() - begin:.1f} s.", file=sys.stderr, flush=True)
     if options.headless or not _has_display():
         return _headless(options, sim)
     from sim.view.app import run_window
 
-    levels = [name for name in level_names() if (load_level(name).goal is not None) == (options.command == "river")]
-    return run_window(make, sim, options, levels)
+    return run_window(make, sim, options, names)
 
 
 def _writable(*paths: str | None) -> None:
@@ -73,18 +123,7 @@ def _has_display() -> bool:
     return sys.platform in ("win32", "darwin") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
-def _warm_up(sim: Simulation, quiet: bool) -> None:
-    """The first tick compiles the kernels, once per change of the program: say so where it takes long."""
-    begin = time.perf_counter()
-    if not quiet:
-        print("Getting ready (the first start compiles for up to a minute) ...", file=sys.stderr, flush=True)
-    sim.tick()
-    sim.snapshot()
-    if not quiet:
-        print(f"Ready after {time.perf_counter() - begin:.1f} s.", file=sys.stderr, flush=True)
-
-
-def _headless(options, sim: Simulation) -> int:
+def _headless(options, sim: Cast) -> int:
     """Runs without a window; leaves what was asked for, or a picture and a recording."""
     picture, record = options.screenshot, options.record
     if not options.headless and not (picture or record or options.video):
@@ -97,7 +136,9 @@ def _headless(options, sim: Simulation) -> int:
 
         video = VideoWriter(sim, options.video, options.size)
     try:
-        summary = run_headless(sim, options.seconds or HEADLESS_SECONDS, recorder, video.add if video else None, options.json)
+        summary = run_headless(
+            sim, options.seconds or getattr(sim, "end", HEADLESS_SECONDS), recorder, video.add if video else None, options.json
+        )
     finally:
         if video:
             video.close()

@@ -9,7 +9,10 @@ import numpy as np
 
 from sim.crowd import Crowd
 
-KEYS = ("side", "position", "heading", "normal", "contact_time", "stance_time", "step_time", "rock")
+KEYS = (
+    "side", "position", "heading", "normal", "contact_time", "stance_time", "step_time", "rock", "roll", "nominal_length",
+    "facing", "lift",
+)  # fmt: skip
 
 
 class FootprintLog:
@@ -39,8 +42,7 @@ class FootprintLog:
 
 def _gather(crowd: Crowd, who: np.ndarray, row: np.ndarray) -> dict[str, np.ndarray]:
     chunk = {key: getattr(crowd, key)[who, row] for key in KEYS}
-    began = crowd.contact_time[who, row] <= 0
-    return {"character": who, **chunk, "stands": (crowd.roll[who, row, 0] == 0.5) & ~began}
+    return {"character": who, **chunk, "stands": crowd.stands[who, row]}
 
 
 def _without_standing_on(rows: dict[str, np.ndarray]) -> dict[str, np.ndarray]:

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from motion.pose import Pose
-from sim.simulation import Simulation
+from sim.cast import Cast
 from worlds.errors import InputError
 from worlds.world import World
 
@@ -24,7 +24,7 @@ NEEDED = ("time", "com", "contact", "phase", "physics_cost", "footprint_position
 class Recorder:
     """Collects frames of a simulation. Memory grows with the frames: about 600 bytes per character and frame."""
 
-    def __init__(self, sim: Simulation) -> None:
+    def __init__(self, sim: Cast) -> None:
         self.sim = sim
         self.time: list[float] = []
         self.poses: list[Pose] = []

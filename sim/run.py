@@ -4,14 +4,14 @@ import sys
 
 import numpy as np
 
+from sim.cast import Cast
 from sim.recording import Recorder
-from sim.simulation import Simulation
 
 STANDS_STILL = 2.0
 """A run to a goal ends this long [s] after everyone has reached it."""
 
 
-def run(sim: Simulation, seconds: float, recorder: Recorder | None, each_frame=None, quiet: bool = False) -> dict:
+def run(sim: Cast, seconds: float, recorder: Recorder | None, each_frame=None, quiet: bool = False) -> dict:
     """Ticks for `seconds` of simulated time, or until all reached their goal; returns the summary.
 
     each_frame, if given, is called after every tick. The bar goes to stderr.
@@ -29,7 +29,7 @@ def run(sim: Simulation, seconds: float, recorder: Recorder | None, each_frame=N
         watch.look()
         if not quiet and (k % 30 == 0 or k == ticks - 1):
             _bar((k + 1) / ticks)
-        if watch.all_there_since is not None and sim.time - watch.all_there_since > STANDS_STILL:
+        if sim.over or (watch.all_there_since is not None and sim.time - watch.all_there_since > STANDS_STILL):
             break
     if not quiet:
         print(file=sys.stderr)
@@ -44,7 +44,7 @@ def _bar(share: float) -> None:
 class _Watch:
     """Distances and goals as they come, without keeping poses."""
 
-    def __init__(self, sim: Simulation) -> None:
+    def __init__(self, sim: Cast) -> None:
         self.sim = sim
         self.distance = np.zeros(len(sim.characters))
         self.last = sim.snapshot().com[:, :2]

@@ -11,7 +11,8 @@ from motion.jit import jit
 from motion.problem import total_cost
 from motion.track import Track
 from planner.wandering import Wander
-from sim.crowd import TENTATIVE, track_of, window_end
+from sim.crowd import TENTATIVE, track_of
+from sim.rounds import window_end
 from sim.simulation import Simulation
 from worlds.level import load_level
 
@@ -60,13 +61,7 @@ def _solve_often(times, b, track, begin, end, start, old_time, old_control, effo
 def whole_track(sim: Simulation) -> Track:
     """All footprints of the first character as one track."""
     log = sim.footprints.arrays(sim.crowd)
-    n = len(log["footprint_side"])
-    roll = np.tile([0.0, 1.0], (n, 1))
-    roll[:2, 0] = 0.5
-    keys = ("side", "position", "heading", "normal", "contact_time", "stance_time", "step_time")
-    arrays = {key: np.ascontiguousarray(log[f"footprint_{key}"]) for key in keys}
-    nominal = np.full(n, sim.characters[0].record.nominal_length)
-    return Track(**arrays, roll=roll, nominal_length=nominal, lift=np.zeros(n))
+    return Track(**{key: np.ascontiguousarray(log[f"footprint_{key}"]) for key in Track._fields})
 
 
 def over_global(sim: Simulation, times: np.ndarray, controls: np.ndarray) -> float:

@@ -5,7 +5,7 @@ import time as clock
 
 import numpy as np
 
-from sim.simulation import Simulation
+from sim.cast import Cast
 from sim.view import gl, picking
 from sim.view.camera import Camera
 from sim.view.plan_view import draw_plan
@@ -26,7 +26,7 @@ HELP = (
 class App:
     """What the window shows and what keys and mouse do to it. Owns no GL: `screen` draws it."""
 
-    def __init__(self, make, sim: Simulation, options, levels: list[str]) -> None:
+    def __init__(self, make, sim: Cast, options, levels: list[str]) -> None:
         self.make, self.sim, self.levels = make, sim, levels
         self.level, self.character, self.seed = options.level, options.character, options.seed
         self.camera = Camera()
@@ -152,7 +152,7 @@ class App:
             self.sim.world = before
 
 
-def run_window(make, sim: Simulation, options, levels: list[str]) -> int:
+def run_window(make, sim: Cast, options, levels: list[str]) -> int:
     """Opens the window and runs until it is closed, or for --seconds; returns the exit status."""
     gl.prefer_egl_without_display()
     import pygame
@@ -183,7 +183,7 @@ def run_window(make, sim: Simulation, options, levels: list[str]) -> int:
 class _Extras:
     """--record and --screenshot of a window: the recording replays the same ticks, so it holds each of them."""
 
-    def __init__(self, options, sim: Simulation) -> None:
+    def __init__(self, options, sim: Cast) -> None:
         self.options = options
         self.recorder = None
         if options.record:
@@ -193,14 +193,14 @@ class _Extras:
             self.recorder.capture()
         self._ticks = sim.ticks
 
-    def follow(self, sim: Simulation) -> None:
+    def follow(self, sim: Cast) -> None:
         """Captures the ticks that have passed: poses are functions of time, so they can be asked for afterwards."""
         if self.recorder and self.recorder.sim is sim:
             for tick in range(self._ticks + 1, sim.ticks + 1):
                 self.recorder.capture(tick / sim.tick_rate)
             self._ticks = sim.ticks
 
-    def end(self, sim: Simulation) -> None:
+    def end(self, sim: Cast) -> None:
         """Writes what was asked for."""
         if self.recorder:
             self.recorder.save(self.options.record)

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from sim.simulation import Simulation
+from sim.cast import Cast
 from sim.view.camera import Camera
 from sim.view.gl import NoGL, offscreen_context
 from sim.view.quality import Quality
@@ -29,14 +29,16 @@ class Picture:
         )
         self.resolved = self.ctx.framebuffer(self.ctx.renderbuffer(size))
         self.camera = Camera()
+        self.distance = 5.2  # in nominal leg lengths
 
-    def frame(self, sim: Simulation, focus: int = 0) -> np.ndarray:
-        """(height, width, 3) uint8 of the present moment."""
-        pose = sim.snapshot()
+    def frame(self, sim: Cast, focus: int = 0, time: float | None = None) -> np.ndarray:
+        """(height, width, 3) uint8 of a moment [s], by default now."""
+        time = sim.time if time is None else time
+        pose = sim.snapshot(time)
         unit = float(sim.bipeds["nominal_length"][sim.crowd.kind[focus]])
-        self.camera.distance = 5.2 * unit
+        self.camera.distance = self.distance * unit
         self.camera.target = pose.com[focus] - (0, 0, 0.25 * unit)
-        self.renderer.draw(self.target, sim, pose, self.camera, sim.time, focus)
+        self.renderer.draw(self.target, sim, pose, self.camera, time, focus)
         self.ctx.copy_framebuffer(self.resolved, self.target)
         width, height = self.target.size
         return np.frombuffer(self.resolved.read(), np.uint8).reshape(height, width, 3)[::-1]
@@ -54,7 +56,7 @@ def save_image(pixels: np.ndarray, path: str | Path) -> None:
         raise InputError(f"{path}: the picture cannot be written: {error}") from None
 
 
-def render_image(sim: Simulation, path: str | Path, size: tuple[int, int]) -> None:
+def render_image(sim: Cast, path: str | Path, size: tuple[int, int]) -> None:
     """A picture of the present moment; without OpenGL, the plan view, and a line that says what would bring 3D."""
     try:
         pixels = Picture(size).frame(sim)
@@ -71,7 +73,7 @@ def render_image(sim: Simulation, path: str | Path, size: tuple[int, int]) -> No
 class VideoWriter:
     """A film of a run, 30 frames per simulated second. Needs the extra `video`."""
 
-    def __init__(self, sim: Simulation, path: str, size: tuple[int, int]) -> None:
+    def __init__(self, sim: Cast, path: str, size: tuple[int, int]) -> None:
         try:
             import imageio_ffmpeg
         except ImportError:

@@ -4,7 +4,7 @@ import numpy as np
 
 from motion import phases
 from motion.spline import evaluate
-from sim.simulation import Simulation
+from sim.cast import Cast
 from sim.view.clay import Clay
 
 COLOURS = {
@@ -18,7 +18,7 @@ PIECES = 6
 """Straight pieces drawn per segment."""
 
 
-def overlays(clay: Clay, sim: Simulation, character: int) -> None:
+def overlays(clay: Clay, sim: Cast, character: int) -> None:
     """Curve, tangents, handles and daggers of one character."""
     time, control, support = sim.curve(character)
     size = float(sim.bipeds["nominal_length"][sim.crowd.kind[character]])
@@ -35,7 +35,7 @@ def overlays(clay: Clay, sim: Simulation, character: int) -> None:
     _feet(clay, sim, character, size)
 
 
-def _feet(clay: Clay, sim: Simulation, character: int, size: float) -> None:
+def _feet(clay: Clay, sim: Cast, character: int, size: float) -> None:
     """A handle along each footprint's heading, and a dagger whose height is its stance time."""
     track = sim.track(character)
     ahead = np.stack([np.cos(track.heading), np.sin(track.heading), np.zeros_like(track.heading)], axis=1)

@@ -4,7 +4,7 @@ import os
 
 import numpy as np
 
-from sim.simulation import Simulation
+from sim.cast import Cast
 
 GRASS, WATER, TREE, STONE, LEFT, RIGHT = (
     (119, 146, 84),
@@ -16,7 +16,7 @@ GRASS, WATER, TREE, STONE, LEFT, RIGHT = (
 )
 
 
-def draw_plan(surface, sim: Simulation, centre: np.ndarray, metres: float) -> None:
+def draw_plan(surface, sim: Cast, centre: np.ndarray, metres: float) -> None:
     """Draws world, footprints and bodies from above, `metres` wide around `centre` (2,), on a pygame surface."""
     import pygame
 
@@ -42,7 +42,7 @@ def draw_plan(surface, sim: Simulation, centre: np.ndarray, metres: float) -> No
         pygame.draw.circle(surface, (250, 245, 230), at(com), max(int(0.16 * scale), 3))
 
 
-def plan_picture(sim: Simulation, size: tuple[int, int]) -> np.ndarray:
+def plan_picture(sim: Cast, size: tuple[int, int]) -> np.ndarray:
     """(height, width, 3) uint8 plan view around the first character."""
     os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
     import pygame

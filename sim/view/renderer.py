@@ -4,7 +4,7 @@ import moderngl
 import numpy as np
 
 from motion.pose import Pose
-from sim.simulation import Simulation
+from sim.cast import Cast
 from sim.view import bodies, meshes, shaders
 from sim.view.camera import Camera, look_at, orthographic
 from sim.view.clay import Clay
@@ -54,12 +54,12 @@ class Renderer:
         self._upload("rocks", meshes.rocks(world))
         self._upload("water", meshes.water(world))
 
-    def draw(self, target: moderngl.Framebuffer, sim: Simulation, pose: Pose, camera: Camera, time: float, focus: int) -> None:
+    def draw(self, target: moderngl.Framebuffer, sim: Cast, pose: Pose, camera: Camera, time: float, focus: int) -> None:
         """Draws everything at simulated `time` [s] into target; focus is the character with overlays."""
         if self._world is not sim.world:
             self.set_world(sim.world)
         count = self._instances(sim, pose, focus)
-        self._footprints(sim)
+        self._footprints(sim, time)
         aspect = target.width / target.height
         sun = self._sun_matrix(camera)
         if self.quality.shadow_size:
@@ -81,7 +81,7 @@ class Renderer:
         self._draw_static("water", self.wet)
         self.ctx.simple_vertex_array(self.sky, self.corners, "in_corner").render()
 
-    def _instances(self, sim: Simulation, pose: Pose, focus: int) -> int:
+    def _instances(self, sim: Cast, pose: Pose, focus: int) -> int:
         clay = Clay()
         names = np.array([character.name for character in sim.characters])
         for name in np.unique(names):
@@ -95,9 +95,9 @@ class Renderer:
         self.instances.write(np.ascontiguousarray(rows).tobytes())
         return len(rows)
 
-    def _footprints(self, sim: Simulation) -> None:
+    def _footprints(self, sim: Cast, time: float) -> None:
         log = sim.footprints.arrays(sim.crowd, last=MOST_PRINTS)
-        down = log["footprint_contact_time"] <= sim.time
+        down = log["footprint_contact_time"] <= time
         parts = []
         for c in np.unique(log["footprint_character"]):
             biped = sim.characters[c]

@@ -1,0 +1,63 @@
+"""A scripted scene: all footprints are known, so the whole curve is optimised at once, and time only shows it."""
+
+import numpy as np
+
+from motion import newton
+from motion.biped import load_biped
+from planner import script as scripts
+from sim import rounds
+from sim.cast import TICK_RATE, Cast
+from worlds.errors import InputError
+from worlds.scene import Scene
+
+SAMPLES = 10
+SHORTEST_SWING = 0.05
+"""A foot must have left for this long [s] before it lands again."""
+
+
+class Performance(Cast):
+    """One character that does what a scene says, and then stands."""
+
+    def __init__(self, scene: Scene, tick_rate: int = TICK_RATE, effort: newton.Effort = newton.SCENE, by_step: bool = False):
+        biped = load_biped(scene.character)
+        prints = scripts.prints_of(scene, biped)
+        script = scripts.script_of(scene, prints)
+        rows = len(script.side) + 2
+        super().__init__(scene.world, [biped], 0, tick_rate, rows=rows, segments=2 * rows + 2)
+        self.scene = scene
+        heading = np.unwrap(np.radians([p.heading_deg for p in prints[:2]]))
+        places = np.array([(*p.position, h) for p, h in zip(prints[:2], heading, strict=True)])
+        self.stand(0, int(prints[1].side == "right"), places)
+        w = self.world.arrays
+        self.cost, self.iterations = rounds.perform(self.crowd, self.bipeds, w, 0, script, SAMPLES, by_step, effort)
+        self.end = float(self.crowd.curve_time[0, self.crowd.curve_count[0]])
+        self._check(scene)
+        for n in range(3, rows + 1):  # the log takes rows as if they had just been placed
+            self.crowd.real[0] = n
+            self.footprints.add(self.crowd, np.ones(1, np.int64))
+
+    @property
+    def over(self) -> bool:
+        """Whether the script has ended."""
+        return self.time >= self.end
+
+    def snapshot(self, time: float | None = None):
+        """Pose at `time` [s], by default now; before the beginning and after the end it stands."""
+        asked = self.time if time is None else float(time)
+        return super().snapshot(min(max(asked, 0.0), self.end - 1e-9))
+
+    def _check(self, scene: Scene) -> None:
+        """A foot must leave before it lands again."""
+        track = self.track(0)
+        last: dict[int, int] = {}
+        for n, side in enumerate(track.side.tolist()):
+            moved = side in last and np.abs(track.position[n] - track.position[last[side]]).max() > 1e-9
+            left = track.contact_time[last[side]] + track.stance_time[last[side]] if moved else -np.inf
+            if left > track.contact_time[n] - SHORTEST_SWING:
+                x, y, _ = track.position[n]
+                raise InputError(
+                    f"{scene.name}: the {'right' if side else 'left'} foot lands on ({x:.2f}, {y:.2f}) at "
+                    f"{track.contact_time[n]:.2f} s but has left its last footprint only at {left:.2f} s; "
+                    "give that footprint a shorter stance_time, or the steps between longer step_times"
+                )
+            last[side] = n

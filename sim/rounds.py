@@ -1,0 +1,241 @@
+"""One round of the paper's loop (section 4.2), and a scripted character's only one.
+
+Live: footprint n is placed and timed, tentative footprints behind it, step n - 1 is optimised in its window and committed.
+Scripted: all footprints are placed and timed, and the whole curve is optimised at once.
+"""
+
+import numpy as np
+from numba import prange
+
+from motion import window
+from motion.jit import jit, jit_parallel
+from motion.phases import SHORTEST_PHASE as SLIVER
+from planner import placing, plan, timing
+from sim.crowd import REAL, TENTATIVE, above_feet, horizon, track_of
+
+WINDOW_TAIL = 0.0
+"""Share of a step that the window goes on after the last tentative contact: more steadies its end, and costs time."""
+
+
+@jit
+def _shift(crowd, c):
+    """Forgets the oldest footprint; the curve over it goes too."""
+    for array in (
+        crowd.heading,
+        crowd.contact_time,
+        crowd.stance_time,
+        crowd.step_time,
+        crowd.nominal_length,
+        crowd.facing,
+        crowd.lift,
+    ):
+        array[c, :-1] = array[c, 1:].copy()
+    for array in (crowd.side, crowd.rock):
+        array[c, :-1] = array[c, 1:].copy()
+    crowd.stands[c, :-1] = crowd.stands[c, 1:].copy()
+    for array in (crowd.position, crowd.normal, crowd.roll):
+        array[c, :-1] = array[c, 1:].copy()
+    crowd.real[c] -= 1
+    crowd.support[c] -= 1
+    gone = 0
+    for i in range(crowd.curve_count[c]):
+        if crowd.curve_time[c, i + 1] <= crowd.contact_time[c, 0]:
+            gone = i + 1
+    _forget_segments(crowd, c, gone)
+    np.maximum(crowd.support[c], -1, crowd.support[c])
+
+
+@jit
+def _forget_segments(crowd, c, gone):
+    kept = crowd.curve_count[c] - gone
+    if gone > 0:
+        crowd.curve_time[c, : kept + 1] = crowd.curve_time[c, gone : gone + kept + 1].copy()
+        crowd.control[c, : kept + 1] = crowd.control[c, gone : gone + kept + 1].copy()
+        crowd.support[c, :kept] = crowd.support[c, gone : gone + kept].copy()
+        crowd.curve_count[c] = kept
+
+
+@jit
+def _write(crowd, bipeds, c, n, f):
+    """Puts planned footprint f (a planner.plan.Placed) at row n, times the one it leaves, and lays the way to it."""
+    b = bipeds[crowd.kind[c]]
+    crowd.side[c, n] = f.side
+    crowd.position[c, n, 0], crowd.position[c, n, 1], crowd.position[c, n, 2] = f.x, f.y, f.z
+    crowd.heading[c, n] = f.heading
+    crowd.normal[c, n, 0], crowd.normal[c, n, 1], crowd.normal[c, n, 2] = f.nx, f.ny, f.nz
+    crowd.rock[c, n] = f.rock
+    crowd.stands[c, n] = f.stands
+    crowd.nominal_length[c, n] = b.nominal_length
+    crowd.facing[c, n] = 0.0
+    _roll(crowd, c, n, f.stands)
+    step, stance = _timing(crowd, b, c, n, f)
+    _time(crowd, b, c, n, f.stands, step, stance)
+
+
+@jit
+def _roll(crowd, c, n, stands):
+    """Where the support begins on footprint n and ends on n - 1: heel to toe forward, toe to heel backward, else between."""
+    ahead = 0.0 if stands else placing.forwardness(crowd.position[c, n - 1], crowd.position[c, n], crowd.heading[c, n])
+    if not stands:
+        left = placing.forwardness(crowd.position[c, n - 1], crowd.position[c, n], crowd.heading[c, n - 1])
+        crowd.roll[c, n - 1, 1] = 0.5 + 0.5 * left
+    crowd.roll[c, n, 0] = 0.5 - 0.5 * ahead
+    crowd.roll[c, n, 1] = 0.5 + 0.5 * ahead
+
+
+@jit
+def _timing(crowd, b, c, n, f):
+    """(step time, stance time) of footprint n - 1 from the step to footprint n (paper, section 4.1)."""
+    if f.stands:
+        return f.wait, f.wait + plan.START_OVERLAP * timing.pendulum_time(b)
+    p, q = crowd.position[c, n - 1], crowd.position[c, n]
+    length = ((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2) ** 0.5
+    turn = abs(crowd.heading[c, n] - crowd.heading[c, n - 1])
+    step, stance = timing.step_timing(b, length, q[2] - p[2], turn, f.side == crowd.side[c, n - 1])
+    overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
+    longer = max(timing.least_step_time(b, overlap) - step, 0.0)
+    return step + longer, stance + longer
+
+
+@jit
+def _time(crowd, b, c, n, stands, step, stance):
+    """Sets the timing of footprint n - 1, and the same as a first guess for n's own."""
+    if stands:
+        crowd.stance_time[c, n - 2] = crowd.contact_time[c, n - 1] + step - crowd.contact_time[c, n - 2]
+        crowd.roll[c, n - 2, 1] = 0.5
+    crowd.step_time[c, n - 1] = step
+    crowd.stance_time[c, n - 1] = stance
+    crowd.contact_time[c, n] = crowd.contact_time[c, n - 1] + step
+    crowd.step_time[c, n] = step
+    crowd.stance_time[c, n] = stance
+
+
+@jit
+def _lay_way(crowd, bipeds, w, c, n):
+    """Lift of the swing that arrives at footprint n."""
+    before = n - 1
+    while before > 0 and crowd.side[c, before] != crowd.side[c, n]:
+        before -= 1
+    b = bipeds[crowd.kind[c]]
+    crowd.lift[c, n] = placing.swing_lift(b, w, track_of(crowd, c, n + 1), before, n)
+
+
+@jit
+def _place(crowd, bipeds, w, plans, c, seed, n, step):
+    """Asks the planner for footprint number `step`, writes it at row n and times it."""
+    b, two = bipeds[crowd.kind[c]], slice(n - 2, n)
+    placed = plan.next_footprint(
+        b, w, plans, c, seed, step, crowd.side[c, two], crowd.position[c, two], crowd.heading[c, two],
+        crowd.normal[c, two], crowd.rock[c, two],
+    )  # fmt: skip
+    _write(crowd, bipeds, c, n, placed)
+    if placed.stands:
+        crowd.lift[c, n] = 0.0
+    else:
+        _lay_way(crowd, bipeds, w, c, n)
+    return placed.stands
+
+
+@jit
+def window_end(track):
+    """Where the window ends [s]: shortly after the last tentative footprint has landed."""
+    last = len(track.side) - 1
+    return track.contact_time[last] + WINDOW_TAIL * track.step_time[last]
+
+
+@jit
+def _optimise(crowd, bipeds, c, effort):
+    """Solves the window over the real and tentative footprints and commits step n - 1 (paper, section 4.2)."""
+    n = crowd.real[c] - 1
+    last = n + TENTATIVE
+    track = track_of(crowd, c, last + 1)
+    committed = crowd.curve_count[c]
+    begin = crowd.curve_time[c, committed]
+    kept = crowd.window_count[c]
+    time, control, support, e, iterations = window.optimise_window(
+        bipeds[crowd.kind[c]], track, begin, window_end(track),
+        crowd.control[c, committed], crowd.window_time[c, :kept], crowd.window_control[c, :kept], effort,
+    )  # fmt: skip
+    crowd.window_cost[c, 0], crowd.window_cost[c, 1] = e, iterations
+    crowd.window_count[c] = len(time)
+    crowd.window_time[c, : len(time)] = time
+    crowd.window_control[c, : len(time)] = control
+    _commit(crowd, c, time, control, support, track.contact_time[n - 1])
+
+
+@jit
+def _commit(crowd, c, time, control, support, until):
+    """Appends the window's segments up to time `until`, forgetting the oldest where the row is full."""
+    i = 0
+    while i < len(support) and time[i + 1] <= until + SLIVER:
+        if crowd.curve_count[c] == crowd.support.shape[1]:
+            _forget_segments(crowd, c, 1)
+        k = crowd.curve_count[c]
+        crowd.curve_time[c, k + 1] = time[i + 1]
+        crowd.control[c, k + 1] = control[i + 1]
+        crowd.support[c, k] = support[i]
+        crowd.curve_count[c] = k + 1
+        i += 1
+
+
+@jit
+def _advance(crowd, bipeds, w, plans, c, seed, effort):
+    """One round of the paper's loop: footprint n, its timing, tentative footprints, step n - 1 optimised, committed."""
+    if crowd.real[c] == REAL:
+        _shift(crowd, c)
+    n = crowd.real[c]
+    crowd.number[c] += 1
+    crowd.standing[c] = _place(crowd, bipeds, w, plans, c, seed, n, crowd.number[c])
+    crowd.real[c] = n + 1
+    for k in range(TENTATIVE):
+        _place(crowd, bipeds, w, plans, c, seed, n + 1 + k, crowd.number[c] + 1 + k)
+    _optimise(crowd, bipeds, c, effort)
+
+
+@jit_parallel
+def advance_all(crowd, bipeds, w, plans, seed, until, effort, placed):
+    """Plans every character whose committed curve ends before `until` [s]; placed (C,) counts the new footprints."""
+    for c in prange(len(crowd.kind)):
+        placed[c] = 0
+        while horizon(crowd, c) < until and placed[c] < REAL - 2:
+            _advance(crowd, bipeds, w, plans, c, seed, effort)
+            placed[c] += 1
+
+
+@jit
+def perform(crowd, bipeds, w, c, script, samples, by_step, effort):
+    """Lets character c, which stands, do all of a planner.script.Script, and then stand; returns (E, iterations)."""
+    for k in range(len(script.side)):
+        n = crowd.real[c]
+        _write(crowd, bipeds, c, n, plan.scripted(bipeds[crowd.kind[c]], w, script, k, track_of(crowd, c, n)))
+        _own_timing(crowd, bipeds, c, n, script, k)
+        crowd.nominal_length[c, n] *= script.crouch[k]
+        crowd.facing[c, n] = script.facing[k]
+        crowd.real[c] = n + 1
+    n = crowd.real[c]
+    crowd.roll[c, n - 2 : n, 1] = 0.5
+    end = crowd.contact_time[c, n - 1] + script.rest
+    crowd.stance_time[c, n - 2 : n] = end + plan.STAND_TIME - crowd.contact_time[c, n - 2 : n]
+    for k in range(2, n):
+        _lay_way(crowd, bipeds, w, c, k)
+    finish = np.empty(6)
+    above_feet(bipeds[crowd.kind[c]], track_of(crowd, c, n), finish)
+    time, control, support, e, iterations = window.optimise_track(
+        bipeds[crowd.kind[c]], track_of(crowd, c, n), crowd.curve_time[c, 0], end, crowd.control[c, 0], finish, samples,
+        by_step, effort,
+    )  # fmt: skip
+    _commit(crowd, c, time, control, support, end)
+    return e, iterations
+
+
+@jit
+def _own_timing(crowd, bipeds, c, n, script, k):
+    """Timing given by the script replaces the automatic one (NaN: none)."""
+    step, stance = crowd.step_time[c, n - 1], crowd.stance_time[c, n - 1]
+    if not np.isnan(script.stance_time[k]):
+        stance = script.stance_time[k]
+    elif not np.isnan(script.step_time[k]):
+        stance *= script.step_time[k] / step
+    if not np.isnan(script.step_time[k]):
+        step = script.step_time[k]
+    _time(crowd, bipeds[crowd.kind[c]], c, n, script.wait[k] > 0, step, stance)
