@@ -31,6 +31,9 @@ FIELDS = {
     "ball_forward": "ball, about which the heel rises, from the middle of the sole [m]",
     "heel_off_fraction": "share of the stance, at its end, in which the heel rises",
     "heel_off_angle": "pitch of the foot when it leaves [rad]",
+    "heel_strike_angle": "pitch of the foot when its heel comes down first [rad]; 0 lands flat, or on the toes",
+    "min_length": "virtual leg at the knee's limit of flexion: a swinging leg is not bent more [m]",
+    "shank_radius": "of the leg below the knee: shanks keep apart by two of them [m]",
     "comfort_weight": "k of the comfort cost [1/s^2/m]",
     "hip_height": "height of the hips when standing: h of the timing law [m]",
     "body_radius": "to keep from trees [m]",
@@ -47,13 +50,39 @@ FIELDS = {
     "takeoff_angle": "of a leap, from the horizontal [rad]",
     "turn_slowdown": "share by which a turn of one radian lengthens the step time",
     "rise_slowdown": "share by which a rise of one hip height lengthens the step time",
+    "run_crouch": "share by which the nominal leg is shorter at a run of Froude number 1 or more",
     "pitch_amplitude": "of the body over a step [rad]",
     "roll_amplitude": "of the body over a stride [rad]",
     "lean_gain": "share of the lateral acceleration's angle that the body leans into",
+    "lean_speed": "forward lean at a speed of sqrt(g h) [rad]",
+    "pelvis_drop": "of the pelvis toward the swinging leg [rad]",
+    "pelvis_turn": "of the pelvis with the legs, either way [rad]",
+    "chest_turn": "of the chest against the pelvis, either way [rad]",
+    "neck_forward": "base of the neck from the com, along the body [m]",
+    "neck_up": "base of the neck from the com, upward [m]",
+    "head_forward": "middle of the head from the com, along the body [m]",
+    "head_up": "middle of the head from the com, upward [m]",
+    "head_bob": "share of a step that the head stays behind in place before it is thrust forward, as birds do",
+    "head_steady": "share of the body's pitch and roll that the head does not take part in",
+    "shoulder_forward": "shoulder from the com, along the body [m]",
+    "shoulder_side": "half the shoulders' spacing [m]",
+    "shoulder_up": "shoulder from the com, upward [m]",
+    "upper_arm": "shoulder to elbow [m]; 0 without arms",
+    "forearm": "elbow to hand [m]",
+    "arm_swing": "swing of the upper arm against the legs, per radian of theirs",
+    "elbow_bend": "of a resting arm [rad]; runners bend more",
+    "tail_forward": "root of the tail from the com, along the body: negative [m]",
+    "tail_up": "root of the tail from the com, upward [m]",
+    "tail_length": "of the tail [m]; 0 without one",
+    "tail_rise": "of the tail from its root to its tip, above the body's axis [rad]",
+    "tail_sway": "how much the tail lags behind the body's turns and sways: 1 plainly, 0 not",
 }
-_ANGLES = {"heel_off_angle", "max_turn", "takeoff_angle", "pitch_amplitude", "roll_amplitude"}
-_ANY_SIGN = {"hip_forward", "hip_up", "ankle_forward"}
-_MAY_BE_ZERO = {"metatarsus", "gait_smoothness", "heel_off_fraction", "heel_off_angle", "lean_gain"}
+_ANGLES = {"heel_off_angle", "heel_strike_angle", "max_turn", "takeoff_angle", "pitch_amplitude", "roll_amplitude"}
+_ANGLES |= {"lean_speed", "pelvis_drop", "pelvis_turn", "chest_turn", "elbow_bend", "tail_rise"}
+_ANY_SIGN = {"hip_forward", "hip_up", "ankle_forward", "lean_speed", "tail_rise"}
+_ANY_SIGN |= {f"{part}_{axis}" for part in ("neck", "head", "shoulder", "tail") for axis in ("forward", "up")}
+_MAY_BE_ZERO = {"metatarsus", "gait_smoothness", "heel_off_fraction", "heel_off_angle", "lean_gain", "run_crouch", "head_bob"}
+_MAY_BE_ZERO |= {"head_steady", "shoulder_side", "upper_arm", "forearm", "arm_swing", "tail_length", "tail_sway"}
 BIPED = np.dtype([(name, np.float64) for name in FIELDS])
 
 

@@ -1,26 +1,105 @@
-"""Orientation of the body (paper, section 2.5): heading from the feet; pitch and roll from the gait and the curve.
+"""The body above the legs (paper, section 2.5): trunk, pelvis, neck and head, as functions of time.
 
-Roll swings with the com: the body leans over the leg that carries it, and into turns with the lateral acceleration. Pitch
-nods twice a stride with the vertical acceleration. All of it reads the committed curve, so it is a function of time.
+Everything reads the committed curve and the footprints. Accelerations of the curve jump where phases change, so the body
+follows `trend`, the second difference of the com over a DELAY (the acceleration under a triangle of that width): it is
+continuous, and lags as flesh does. The trunk leans over the leg that carries it, into turns with the lateral trend, forward
+with speed, and nods with the vertical one. The pelvis turns with the legs and drops toward the swinging one; the chest
+turns against it; the head looks where the feet will go and takes part in the trunk's pitch and roll as little as it likes.
 """
 
-from math import atan2, cos, sin
+from math import atan2, cos, sin, sqrt
 
+import numpy as np
+
+from motion import heading, spline
 from motion.jit import jit
 
 GRAVITY = 9.81
+DELAY = 0.3
+"""Width of the smoothing, in pendulum times sqrt(l / g): more is calmer, and later."""
+PAST = 9
+"""Moments of the past that are looked at: enough for a tail of TAIL pieces, each a DELAY later."""
+LOOKS_ASIDE = 1.0
+"""Largest turn of the head against the body [rad]."""
+HELD = 0.62
+"""Share of a step in which a bobbing head stays in place."""
 
 
 @jit
-def pitch_and_roll(b, yaw, acceleration):
-    """(pitch, roll) [rad] of the body from the com's acceleration (3,); pitch is positive nose down."""
+def delay(b):
+    """Seconds between the moments of the past."""
+    return DELAY * sqrt(b.nominal_length / GRAVITY)
+
+
+@jit
+def past_of(b, curve_time, control, t, past):
+    """Fills past (PAST, 3) with the com now and in the last moments; before the beginning it stood there."""
+    step = delay(b)
+    for k in range(PAST):
+        spline.position_at(curve_time, control, max(t - k * step, curve_time[0]), past[k])
+
+
+@jit
+def trend(b, past, k):
+    """Smoothed acceleration (x, y, z) [m/s^2] about k + 1 delays ago."""
+    step = delay(b)
+    scale = 1 / (step * step)
+    return (
+        scale * (past[k, 0] - 2 * past[k + 1, 0] + past[k + 2, 0]),
+        scale * (past[k, 1] - 2 * past[k + 1, 1] + past[k + 2, 1]),
+        scale * (past[k, 2] - 2 * past[k + 1, 2] + past[k + 2, 2]),
+    )
+
+
+@jit
+def speed_ahead(b, past, yaw):
+    """Smoothed speed along the heading [m/s]."""
+    return (cos(yaw) * (past[0, 0] - past[2, 0]) + sin(yaw) * (past[0, 1] - past[2, 1])) / (2 * delay(b))
+
+
+@jit
+def pace(b, past, yaw):
+    """Speed along the heading as a share of sqrt(g h): about 0.45 walking, 1 at a run."""
+    return speed_ahead(b, past, yaw) / sqrt(GRAVITY * b.hip_height)
+
+
+@jit
+def pitch_and_roll(b, past, yaw):
+    """(pitch, roll) [rad] of the trunk; pitch is positive nose down."""
     c, s = cos(yaw), sin(yaw)
-    forward = c * acceleration[0] + s * acceleration[1]
-    left = c * acceleration[1] - s * acceleration[0]
-    up = min(max(acceleration[2] / GRAVITY, -1.0), 1.0)
+    x, y, z = trend(b, past, 0)
+    forward, left, up = c * x + s * y, c * y - s * x, min(max(z / GRAVITY, -1.0), 1.0)
     nod = b.pitch_amplitude * (min(max(forward / 2.0, -1.0), 1.0) - 0.5 * up)
     sway = b.roll_amplitude * min(max(left / 1.5, -1.0), 1.0)
-    return nod, -sway - b.lean_gain * atan2(left, 2 * GRAVITY)
+    lean = b.lean_speed * min(max(pace(b, past, yaw), -0.5), 1.5)
+    return nod + lean, -sway - b.lean_gain * atan2(left, 2 * GRAVITY)
+
+
+@jit
+def head_offset(b, track, past, yaw, t):
+    """How far a bobbing head is ahead of its middle place [m]: it stays where it is while the body walks on, then darts."""
+    if b.head_bob == 0:
+        return 0.0
+    i = max(np.searchsorted(track.contact_time, t, side="right") - 1, 0)
+    u = min(max((t - track.contact_time[i]) / max(track.step_time[i], 1e-3), 0.0), 1.0)
+    rest = 0.5 * HELD
+    if u < rest:
+        share = -u
+    elif u > 1 - rest:
+        share = 1 - u
+    else:
+        x = (u - rest) / (1 - HELD)
+        share = HELD * (x * x * (3 - 2 * x) - 0.5)
+    return (
+        b.head_bob * share * min(max(speed_ahead(b, past, yaw) * track.step_time[i], -0.6 * b.hip_height), 0.6 * b.hip_height)
+    )
+
+
+@jit
+def gaze(b, track, yaw, t):
+    """Heading of the head [rad]: where the feet are going, before the body does."""
+    ahead = heading.mean_heading(track, t, 0.4 * heading.window_length(b))
+    return yaw + min(max(ahead - yaw, -LOOKS_ASIDE), LOOKS_ASIDE)
 
 
 @jit
@@ -35,3 +114,11 @@ def quaternion(yaw, pitch, roll):
         cy * sp * cr + sy * cp * sr,
         sy * cp * cr - cy * sp * sr,
     )
+
+
+@jit
+def turned(yaw, pitch, roll, forward, left, up):
+    """The vector (forward, left, up) of a body turned by R = Rz(yaw) Ry(pitch) Rx(roll), in the world."""
+    y, z = cos(roll) * left - sin(roll) * up, sin(roll) * left + cos(roll) * up
+    x, z = cos(pitch) * forward + sin(pitch) * z, cos(pitch) * z - sin(pitch) * forward
+    return cos(yaw) * x - sin(yaw) * y, sin(yaw) * x + cos(yaw) * y, z

@@ -32,12 +32,17 @@ def _value(track, i):
 
 @jit
 def body_heading(b, track, t):
-    """Heading of the body [rad] at time t, unwrapped.
+    """Heading of the body [rad] at time t, unwrapped."""
+    return mean_heading(track, t, window_length(b))
+
+
+@jit
+def mean_heading(track, t, window):
+    """Mean of the broken line over the last `window` [s] before t [rad].
 
     Sums the pieces of the line that lie in the window, the latest first: only footprints near t enter, so that forgetting
     old ones changes no bit.
     """
-    window = window_length(b)
     begin, upper, total = t - window, t, 0.0
     last = max(np.searchsorted(track.contact_time, t, side="right") - 1, 0)
     for i in range(last, -1, -1):

@@ -6,12 +6,22 @@ parallel to its metatarsus, as birds nearly do, which makes it a leg of two link
 always stays on its footprint: a leg that is too short for it stretches, and `measure` counts that as overreach.
 """
 
-from math import sqrt
+from math import exp, sqrt
 
 from motion.jit import jit
 
-FULL_EXTENSION = 0.999
-"""Largest d / (a + b): beyond it both links stretch together, so that the knee never pops."""
+SOFT_FROM = 0.94
+"""Share of full extension from which on the knee resists: without this its angle changes ever faster and pops."""
+
+
+@jit
+def soft_stretch(share):
+    """Stretch of the links at d = share of their length: with r = 1 - SOFT_FROM they bend as for SOFT_FROM + r (1 - exp(-x)),
+    x = (share - SOFT_FROM) / r, which is never 1; at full extension they are 2 % longer."""
+    if share <= SOFT_FROM:
+        return 1.0
+    room = 1 - SOFT_FROM
+    return share / (SOFT_FROM + room * (1 - exp((SOFT_FROM - share) / room)))
 
 
 @jit
@@ -23,7 +33,7 @@ def _bend(a, b, hip, ankle, pole):
     along = pole[0] * u[0] + pole[1] * u[1] + pole[2] * u[2]
     px, py, pz = pole[0] - along * u[0], pole[1] - along * u[1], pole[2] - along * u[2]
     length = max(sqrt(px * px + py * py + pz * pz), 1e-9)
-    stretch = max(d / (FULL_EXTENSION * (a + b)), 1.0)
+    stretch = soft_stretch(d / (a + b))
     a, b = a * stretch, b * stretch
     cosine = min(max((a * a + d * d - b * b) / (2 * a * d), -1.0), 1.0)
     sine = sqrt(1 - cosine * cosine)

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion import body, cost, foot, heading, legs, phases, spline, swing
+from motion import body, cost, foot, heading, legs, limbs, phases, spline, swing
 from motion.jit import jit
 
 
@@ -19,6 +19,15 @@ class Pose(NamedTuple):
     com_velocity: np.ndarray  # (C, 3)
     com_acceleration: np.ndarray  # (C, 3)
     body_rotation_wxyz: np.ndarray  # (C, 4) body to world; the hips follow its yaw alone
+    pelvis_rotation_wxyz: np.ndarray  # (C, 4) turned with the legs, dropped toward the swinging one
+    chest_rotation_wxyz: np.ndarray  # (C, 4) turned against the pelvis
+    head_rotation_wxyz: np.ndarray  # (C, 4)
+    neck: np.ndarray  # (C, 3) its base
+    head: np.ndarray  # (C, 3)
+    shoulder: np.ndarray  # (C, 2, 3) arms; at the shoulder throughout where there are none
+    elbow: np.ndarray  # (C, 2, 3)
+    hand: np.ndarray  # (C, 2, 3)
+    tail: np.ndarray  # (C, TAIL + 1, 3) root first; all at the root where there is none
     hip: np.ndarray  # (C, 2, 3)
     knee: np.ndarray  # (C, 2, 3)
     hock: np.ndarray  # (C, 2, 3)
@@ -38,12 +47,15 @@ FREE_REACH = 0.94
 ENDS = 0.12
 """Share of the swing, at either end, over which this sets in."""
 VECTORS = ("hip", "knee", "hock", "ankle", "heel", "ball", "toe")
+_PAIRS = (*VECTORS, "point_of_support", "shoulder", "elbow", "hand")
+_POINTS = ("com", "com_velocity", "com_acceleration", "neck", "head")
+_TURNS = ("body_rotation_wxyz", "pelvis_rotation_wxyz", "chest_rotation_wxyz", "head_rotation_wxyz")
 
 
 def empty_pose(c: int) -> Pose:
     """A pose of c characters, all zero."""
-    shapes: dict[str, tuple[int, ...]] = dict.fromkeys((*VECTORS, "point_of_support"), (c, 2, 3))
-    shapes |= dict.fromkeys(("com", "com_velocity", "com_acceleration"), (c, 3)) | {"body_rotation_wxyz": (c, 4)}
+    shapes: dict[str, tuple[int, ...]] = dict.fromkeys(_PAIRS, (c, 2, 3))
+    shapes |= dict.fromkeys(_POINTS, (c, 3)) | dict.fromkeys(_TURNS, (c, 4)) | {"tail": (c, limbs.TAIL + 1, 3)}
     kinds = {"contact": ((c, 2), np.bool_), "phase": ((c,), np.int64)}
     return Pose(*(np.zeros(*kinds[name]) if name in kinds else np.zeros(shapes.get(name, (c,))) for name in Pose._fields))
 
@@ -108,20 +120,26 @@ def _pull_in(b, hip, s, pose, c, leg):
     x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
     length = np.sqrt(x * x + y * y + z * z)
     free = FREE_REACH * b.max_length
-    if length > free:
+    if length < b.min_length:
+        off = 1 - swing.fade(min(s, 1 - s), ENDS)
+        share = -off * (b.min_length - length) / max(length, 1e-6)
+    elif length > free:
         room = b.max_length - free
         wanted = free + room * (1 - np.exp((free - length) / room))
         off = 1 - swing.fade(min(s, 1 - s), ENDS)
         share = 1 - min(length + off * (wanted - length), b.max_length) / length
-        for array in (pose.ankle, pose.heel, pose.ball, pose.toe):
-            array[c, leg, 0] -= share * x
-            array[c, leg, 1] -= share * y
-            array[c, leg, 2] -= share * z
+    else:
+        return
+    for array in (pose.ankle, pose.heel, pose.ball, pose.toe):
+        array[c, leg, 0] -= share * x
+        array[c, leg, 1] -= share * y
+        array[c, leg, 2] -= share * z
 
 
 @jit
 def _pose_leg(b, track, support, leg, yaw, t, pose, c):
-    n = support[leg]
+    """Poses a leg; returns how far it has swung, 0 standing to 1 in the middle of a swing."""
+    n, swung = support[leg], 0.0
     offset = foot.hip_offset(b, leg, yaw)
     hip = (pose.com[c, 0] + offset[0], pose.com[c, 1] + offset[1], pose.com[c, 2] + offset[2])
     _set(pose.hip, c, leg, hip)
@@ -140,11 +158,60 @@ def _pose_leg(b, track, support, leg, yaw, t, pose, c):
         else:
             s, toes = _fly(b, track, last, following, support[1 - leg], t, pose, c, leg)
             _pull_in(b, hip, s, pose, c, leg)
+            swung = swing.bump(s)
     ahead = 0.5 * (yaw + toes)
     ankle = pose.ankle[c, leg]
     knee, hock = legs.joints(b, hip, (ankle[0], ankle[1], ankle[2]), (np.cos(ahead), np.sin(ahead), 0.0))
     _set(pose.knee, c, leg, knee)
     _set(pose.hock, c, leg, hock)
+    return swung
+
+
+@jit
+def _leg_angle(b, pose, c, leg, yaw):
+    """How far the leg is ahead of its hip [rad]."""
+    x, y = pose.ankle[c, leg, 0] - pose.hip[c, leg, 0], pose.ankle[c, leg, 1] - pose.hip[c, leg, 1]
+    return np.arctan((np.cos(yaw) * x + np.sin(yaw) * y) / b.nominal_length)
+
+
+@jit
+def _turn(array, c, rotation):
+    for i in range(4):
+        array[c, i] = rotation[i]
+
+
+@jit
+def _pose_body(b, track, curve_time, control, yaw, swung, t, pose, c):
+    """Everything above the legs; swung (2,) as _pose_leg returns it."""
+    past = np.empty((body.PAST, 3))
+    body.past_of(b, curve_time, control, t, past)
+    pitch, roll = body.pitch_and_roll(b, past, yaw)
+    angles = (_leg_angle(b, pose, c, 0, yaw), _leg_angle(b, pose, c, 1, yaw))
+    legs_apart = min(max(angles[0] - angles[1], -1.0), 1.0)
+    chest = yaw + b.chest_turn * legs_apart
+    look = body.gaze(b, track, yaw, t)
+    _turn(pose.body_rotation_wxyz, c, body.quaternion(yaw, pitch, roll))
+    drop = b.pelvis_drop * (swung[1] - swung[0])
+    _turn(pose.pelvis_rotation_wxyz, c, body.quaternion(yaw - b.pelvis_turn * legs_apart, 0.4 * pitch, 0.4 * roll + drop))
+    _turn(pose.chest_rotation_wxyz, c, body.quaternion(chest, pitch, roll))
+    loose = 1 - b.head_steady
+    _turn(pose.head_rotation_wxyz, c, body.quaternion(look, loose * pitch, loose * roll))
+    com, pace = pose.com[c], body.pace(b, past, yaw)
+    neck = body.turned(chest, pitch, roll, b.neck_forward, 0.0, b.neck_up)
+    bob = body.head_offset(b, track, past, yaw, t)
+    above = body.turned(
+        0.5 * (yaw + look), loose * pitch, loose * roll, b.head_forward - b.neck_forward + bob, 0.0, b.head_up - b.neck_up
+    )
+    for axis in range(3):
+        pose.neck[c, axis] = com[axis] + neck[axis]
+        pose.head[c, axis] = pose.neck[c, axis] + above[axis]
+    for leg in range(2):
+        joints = limbs.arm(b, chest, pitch, roll, 1 - 2 * leg, angles[1 - leg], pace)
+        for axis in range(3):
+            pose.shoulder[c, leg, axis] = com[axis] + joints[0][axis]
+            pose.elbow[c, leg, axis] = com[axis] + joints[1][axis]
+            pose.hand[c, leg, axis] = com[axis] + joints[2][axis]
+    limbs.lay_tail(b, track, past, com, yaw, pitch, roll, t, pose.tail[c])
 
 
 @jit
@@ -155,12 +222,8 @@ def pose_kernel(b, track, curve_time, control, t, pose, c):
     support = phases.support_at(track.side, track.contact_time, track.stance_time, 0, t)
     yaw = heading.body_heading(b, track, t)
     pose.phase[c] = phases.phase_of(support[0], support[1])
-    for leg in range(2):
-        _pose_leg(b, track, support, leg, yaw, t, pose, c)
-    pitch, roll = body.pitch_and_roll(b, yaw, acceleration)
-    rotation = body.quaternion(yaw, pitch, roll)
-    for i in range(4):
-        pose.body_rotation_wxyz[c, i] = rotation[i]
+    swung = (_pose_leg(b, track, support, 0, yaw, t, pose, c), _pose_leg(b, track, support, 1, yaw, t, pose, c))
+    _pose_body(b, track, curve_time, control, yaw, swung, t, pose, c)
     standing, up = pose.contact[c], acceleration[2] + cost.GRAVITY
     at = pose.point_of_support[c]
     pose.physics_cost[c] = cost.physics_cost(com[0], com[1], com[2], acceleration[0], acceleration[1], up, at, standing)

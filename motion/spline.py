@@ -45,6 +45,21 @@ def segment_at(time, t):
 
 
 @jit
+def position_at(time, control, t, out):
+    """Position at t into out (3,)."""
+    i = segment_at(time, t)
+    duration = time[i + 1] - time[i]
+    p = position_weights((t - time[i]) / duration, duration)
+    for axis in range(3):
+        out[axis] = (
+            p[0] * control[i, axis]
+            + p[1] * control[i, 3 + axis]
+            + p[2] * control[i + 1, axis]
+            + p[3] * control[i + 1, 3 + axis]
+        )
+
+
+@jit
 def evaluate(time, control, t, com, velocity, acceleration):
     """Position, velocity, acceleration at t into three (3,) arrays. time (m+1,), control (m+1, 6)."""
     i = segment_at(time, t)

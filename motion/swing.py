@@ -1,9 +1,10 @@
 """The swinging foot: a function of its two footprints, its lift and the share s of the swing that has passed (section 2.5).
 
-The ball goes along the line between the footprints by the quintic 10 s^3 - 15 s^4 + 6 s^5, at rest at both ends, and is
-raised by lift * bump(s). The foot rises before it goes forward and comes down after it has arrived, so that the edges of
-stairs and rocks are cleared with little lift. The pitch with which the foot left fades,
-the toe droops less and less, and the foot bows sideways, away from the stance leg, where the line would cross it.
+The ball goes along the line between the footprints by the quintic 10 x^3 - 15 x^4 + 6 x^5, at rest at both ends, and is raised
+by lift * bump(s). Over edges (`hold`) the foot rises before it goes forward and comes down after it has arrived. The pitch
+with which the foot left fades, its toes straighten a little sooner, and it bows sideways, away from the stance leg, where the
+line would cross it. A foot that rolls from its heel comes in with the toes up, turned about the heel, and lays the sole down
+in the last STRIKE of the swing, so that it is flat, and the toe in place, at the contact.
 """
 
 from math import cos, sin
@@ -11,18 +12,20 @@ from math import cos, sin
 from motion import foot
 from motion.jit import jit
 
-HOLD = 0.15
-"""Share of the swing, at either end, in which the foot goes only up or down: more clears steeper edges, and goes faster."""
-FLEX_FADE = 0.35
+HOLD, EDGE_HOLD = 0.04, 0.15
+"""Share of the swing, at either end, in which the foot goes only up or down: on smooth ways, and over edges."""
+FLEX_FADE = 0.5
 """Share of the swing in which the toes straighten."""
-PITCH_FADE = 0.7
+PITCH_FADE = 0.6
 """Share of the swing in which the foot becomes parallel to the ground again."""
+TOES_UP, STRIKE = 0.45, 0.12
+"""Shares of the swing: from when on the toes rise for the heel strike, and how long before its end the sole comes down."""
 
 
 @jit
-def way(s):
-    """Share of the way at share s of the swing: nothing for the first and last HOLD, smooth to the second derivative."""
-    s = min(max((s - HOLD) / (1 - 2 * HOLD), 0.0), 1.0)
+def way(s, hold):
+    """Share of the way at share s of the swing: nothing for the first and last `hold`, smooth to the second derivative."""
+    s = min(max((s - hold) / (1 - 2 * hold), 0.0), 1.0)
     return s * s * s * (10 - 15 * s + 6 * s * s)
 
 
@@ -37,6 +40,13 @@ def fade(s, end):
     """From 1 at 0 to 0 at `end`, smooth at both."""
     x = min(s / end, 1.0)
     return 1 - x * x * (3 - 2 * x)
+
+
+@jit
+def toes_up(b, roll_begin, s):
+    """Pitch, toes up [rad], before a landing whose support begins at roll_begin (0: heel)."""
+    rising = 1 - fade(max(s - TOES_UP, 0.0), 1 - STRIKE - TOES_UP)
+    return b.heel_strike_angle * max(1 - 2 * roll_begin, 0.0) * rising * fade(max(s - 1 + STRIKE, 0.0), STRIKE)
 
 
 @jit
@@ -65,7 +75,7 @@ def sole_at(b, track, n, m, stance, s):
     """
     start = foot.along_sole(track.position[n], track.heading[n], track.normal[n], b.ball_forward, 0.0)
     goal = foot.along_sole(track.position[m], track.heading[m], track.normal[m], b.ball_forward, 0.0)
-    w = way(s)
+    w = way(s, track.hold[m])
     bx, by = 0.0, 0.0
     if stance >= 0:
         bx, by = bow(b, start, goal, track.position[stance], s)
@@ -79,10 +89,24 @@ def sole_at(b, track, n, m, stance, s):
     ny = track.normal[n, 1] + w * (track.normal[m, 1] - track.normal[n, 1])
     nz = track.normal[n, 2] + w * (track.normal[m, 2] - track.normal[n, 2])
     length = (nx * nx + ny * ny + nz * nz) ** 0.5
+    normal = (nx / length, ny / length, nz / length)
+    up = toes_up(b, track.roll[m, 0], s)
     left_with = foot.leaving_angle(b, track.roll[n, 1])
-    pitch = left_with * fade(s, PITCH_FADE)
-    flex = left_with * fade(s, FLEX_FADE)
-    return ball, heading, (nx / length, ny / length, nz / length), pitch, flex
+    pitch = left_with * fade(s, PITCH_FADE) - up
+    return _about_heel(b, ball, heading, normal, up), heading, normal, pitch, left_with * fade(s, FLEX_FADE)
+
+
+@jit
+def _about_heel(b, ball, heading, normal, up):
+    """The ball of a foot that is turned about its heel by `up` [rad], toes up."""
+    reach = 0.5 * b.foot_length + b.ball_forward
+    f = foot.sole_axis(heading, normal)
+    x, z = reach * (cos(up) - 1), reach * sin(up)
+    return (
+        ball[0] + x * f[0] + z * normal[0],
+        ball[1] + x * f[1] + z * normal[1],
+        ball[2] + x * f[2] + z * normal[2],
+    )
 
 
 @jit

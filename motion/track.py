@@ -23,3 +23,4 @@ class Track(NamedTuple):
     nominal_length: np.ndarray  # (n,) comfortable virtual leg over this footprint [m]: less is crouched
     facing: np.ndarray  # (n,) how far the body turns away from the feet over this footprint [rad]
     lift: np.ndarray  # (n,) [m] height of the swing that arrives here above the line between its ends
+    hold: np.ndarray  # (n,) share of that swing, at either end, in which the foot goes only up or down

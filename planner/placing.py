@@ -11,6 +11,8 @@ SAMPLES = 41
 """Shares of the swing at which the ground below the foot is asked for."""
 SHORT = 0.15
 """A step shorter than this [m] does not roll over the whole foot."""
+HIGH = 1.6
+"""A lift above this many clearances has an edge to go over."""
 EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
 
@@ -50,8 +52,24 @@ def forwardness(p, q, heading):
 
 
 @jit
-def swing_lift(b, w, track, n, m):
-    """Lift [m] for the swing from footprint n to m: heel, ball and toe clear the ground below by b.clearance."""
+def lay_swing(b, w, track, n, m):
+    """Sets lift and hold of the swing from footprint n to m, after the ground between: over edges the foot goes up first.
+
+    Smooth ways go with little hold; where that needs a high lift, as on stairs, more hold needs less.
+    """
+    track.hold[m] = swing.HOLD
+    track.lift[m] = _lift(b, w, track, n, m)
+    if track.lift[m] > HIGH * b.clearance:
+        smooth = track.lift[m]
+        track.hold[m] = swing.EDGE_HOLD
+        track.lift[m] = _lift(b, w, track, n, m)
+        if track.lift[m] > 0.9 * smooth:
+            track.hold[m], track.lift[m] = swing.HOLD, smooth
+
+
+@jit
+def _lift(b, w, track, n, m):
+    """Lift [m] with which heel, ball and toe clear the ground below by b.clearance at mid-swing."""
     lift = b.clearance
     back, ahead = -0.5 * b.foot_length - b.ball_forward, 0.5 * b.foot_length - b.ball_forward
     track.lift[m] = 0.0
@@ -61,6 +79,6 @@ def swing_lift(b, w, track, n, m):
         rise = swing.bump(s)
         for forward, bend in ((back, pitch), (0.0, 0.0), (ahead, pitch - flex)):
             p = swing.point_of_foot(b, ball, heading, normal, forward, 0.0, bend)
-            lack = queries.ground_height(w, p[0], p[1]) + b.clearance * min(4 * rise, 1.0) - p[2]
+            lack = queries.ground_height(w, p[0], p[1]) + b.clearance * rise - p[2]
             lift = max(lift, min(lack / rise, 3 * b.max_rise))
     return lift

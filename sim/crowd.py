@@ -42,6 +42,7 @@ class Crowd(NamedTuple):
     nominal_length: np.ndarray
     facing: np.ndarray
     lift: np.ndarray
+    hold: np.ndarray
     stands: np.ndarray  # (C, rows) bool: the foot has not moved, it only stands on
     rock: np.ndarray  # (C, rows) rock under the footprint, -1 on land
     curve_count: np.ndarray  # (C,) committed segments in the row
@@ -75,6 +76,7 @@ def empty_crowd(kind: np.ndarray, rows: int = _ROWS, segments: int = CURVE) -> C
         nominal_length=np.zeros((c, rows)),
         facing=np.zeros((c, rows)),
         lift=np.zeros((c, rows)),
+        hold=np.zeros((c, rows)),
         stands=np.zeros((c, rows), np.bool_),
         rock=np.full((c, rows), -1),
         curve_count=np.zeros(c, np.int64),
@@ -104,6 +106,7 @@ def track_of(crowd, c, n):
         crowd.nominal_length[c, :n],
         crowd.facing[c, :n],
         crowd.lift[c, :n],
+        crowd.hold[c, :n],
     )
 
 

@@ -11,7 +11,7 @@ from sim.crowd import Crowd
 
 KEYS = (
     "side", "position", "heading", "normal", "contact_time", "stance_time", "step_time", "rock", "roll", "nominal_length",
-    "facing", "lift",
+    "facing", "lift", "hold",
 )  # fmt: skip
 
 

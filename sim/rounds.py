@@ -28,6 +28,7 @@ def _shift(crowd, c):
         crowd.nominal_length,
         crowd.facing,
         crowd.lift,
+        crowd.hold,
     ):
         array[c, :-1] = array[c, 1:].copy()
     for array in (crowd.side, crowd.rock):
@@ -112,12 +113,12 @@ def _time(crowd, b, c, n, stands, step, stance):
 
 @jit
 def _lay_way(crowd, bipeds, w, c, n):
-    """Lift of the swing that arrives at footprint n."""
+    """Lift and hold of the swing that arrives at footprint n."""
     before = n - 1
     while before > 0 and crowd.side[c, before] != crowd.side[c, n]:
         before -= 1
     b = bipeds[crowd.kind[c]]
-    crowd.lift[c, n] = placing.swing_lift(b, w, track_of(crowd, c, n + 1), before, n)
+    placing.lay_swing(b, w, track_of(crowd, c, n + 1), before, n)
 
 
 @jit

@@ -22,7 +22,7 @@ def straight_walk(b, n=14, stride=1.0, turn=0.0):
     time = 0.5 * (b.hip_height / 0.92) ** 0.5
     return Track(
         side, position, yaw, normal, time * np.arange(n), np.full(n, 1.2 * time), np.full(n, time), roll,
-        np.full(n, b.nominal_length), np.zeros(n), np.full(n, 0.05),
+        np.full(n, b.nominal_length), np.zeros(n), np.full(n, 0.05), np.full(n, 0.1),
     )  # fmt: skip
 
 
