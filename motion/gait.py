@@ -51,29 +51,39 @@ class Ways(NamedTuple):
     bob: np.ndarray  # (N,) highest less lowest
     sway: np.ndarray  # (N,) leftmost less rightmost
     at_midstance: np.ndarray  # (N,) height in the middle of the stance: 0 the lowest, 1 the highest of the stride
-    length: np.ndarray  # (N,) of the walked line
+    length: np.ndarray  # (N,) gone along the walked line
 
 
 def ways_of(strides: Strides, time: np.ndarray, com: np.ndarray) -> Ways:
     """The com's way over each stride. com (F, 3) at evenly spaced times (F,) [s]."""
     out = np.full((4, len(strides.begin)), np.nan)
+    for i, (begin, duration, stance) in enumerate(zip(strides.begin, strides.duration, strides.stance, strict=True)):
+        part = slice(*np.searchsorted(time, (begin - 0.5 * duration, begin + 1.5 * duration)))
+        if begin - 0.5 * duration < time[0] or begin + 1.5 * duration > time[-1]:
+            continue
+        inside = (time[part] >= begin) & (time[part] < begin + duration)
+        left, up, along = off_line(time[part], com[part], duration)[inside].T
+        middle = np.interp(begin + 0.5 * stance, time[part][inside], up)
+        out[:, i] = np.ptp(up), np.ptp(left), (middle - up.min()) / max(np.ptp(up), 1e-9), along.mean() * duration
+    return Ways(*out)
+
+
+def off_line(time: np.ndarray, com: np.ndarray, span: float) -> np.ndarray:
+    """(left, up, speed) (F, 3) [m, m, m/s]: where the com is from the walked line, and how fast that line is gone along.
+
+    The line is the com's mean over `span` [s] about each moment, less toward the ends of time.
+    """
     dt = (time[-1] - time[0]) / max(len(time) - 1, 1)
     integral = np.vstack([np.zeros(3), np.cumsum(0.5 * dt * (com[1:] + com[:-1]), axis=0)])
-    for i, (begin, duration, stance) in enumerate(zip(strides.begin, strides.duration, strides.stance, strict=True)):
-        frames = slice(np.searchsorted(time, begin), np.searchsorted(time, begin + duration))
-        half = 0.5 * duration
-        if begin - half < time[0] or begin + duration + half > time[-1]:
-            continue
-        ahead, behind = time[frames] + half, time[frames] - half
-        line = (_at(ahead, time, integral) - _at(behind, time, integral)) / duration
-        way = _at(ahead, time, com) - _at(behind, time, com)
-        off = com[frames] - line
-        left = (off[:, 1] * way[:, 0] - off[:, 0] * way[:, 1]) / np.maximum(np.hypot(way[:, 0], way[:, 1]), 1e-9)
-        middle = np.interp(begin + 0.5 * stance, time[frames], off[:, 2])
-        out[:2, i] = np.ptp(off[:, 2]), np.ptp(left)
-        out[2, i] = (middle - off[:, 2].min()) / max(np.ptp(off[:, 2]), 1e-9)
-        out[3, i] = np.hypot(*np.diff(line[:, :2], axis=0).T).sum() * duration / (dt * max(len(line) - 1, 1))
-    return Ways(*out)
+    half = np.minimum(np.minimum(0.5 * span, time - time[0]), time[-1] - time)
+    half = np.maximum(half, 0.5 * dt)[:, None]
+    ahead, behind = np.minimum(time + half[:, 0], time[-1]), np.maximum(time - half[:, 0], time[0])
+    wide = (ahead - behind)[:, None]
+    way = (_at(ahead, time, com) - _at(behind, time, com)) / wide
+    off = com - (_at(ahead, time, integral) - _at(behind, time, integral)) / wide
+    speed = np.hypot(way[:, 0], way[:, 1])
+    left = (off[:, 1] * way[:, 0] - off[:, 0] * way[:, 1]) / np.maximum(speed, 1e-9)
+    return np.column_stack([left, off[:, 2], speed])
 
 
 def _at(t: np.ndarray, time: np.ndarray, values: np.ndarray) -> np.ndarray:

@@ -51,7 +51,7 @@ def on_ground(sole: np.ndarray, stands: np.ndarray, prints: dict[str, np.ndarray
 
 
 def skate(sole: np.ndarray, down: np.ndarray, stands: np.ndarray) -> tuple[float, float]:
-    """Largest (horizontal, total) displacement [m] of a point on the ground from where its stance put it down. down: on_ground."""
+    """Largest (horizontal, total) displacement [m] of a point on the ground (`down`) from where its stance put it down."""
     horizontal, total = 0.0, 0.0
     for foot, point in np.ndindex(2, 3):
         frames = np.flatnonzero(down[:, foot, point])

@@ -167,7 +167,7 @@ def _character_in_words(one: dict) -> list[str]:
     return [
         f"  {one['name']}: {one['steps']} steps, {one['distance']:.1f} m at {one['speed']:.2f} m/s ({shares})",
         f"    gait {gaits} of the time; in {went['strides']} strides: speed {_said(went['speed'], 1, 'm/s')}, "
-        f"Froude {_said(went['froude'])}, cadence {_said(went['cadence'], 1, '/min')}, duty factor {_said(went['duty_factor'])}, "
+        f"Froude {_said(went['froude'])}, cadence {_said(went['cadence'], 1, '/min')}, duty {_said(went['duty_factor'])}, "
         f"double support {_said(went['double_support'], 100, '%')}, flight {_said(went['flight'], 100, '%')}",
         f"    step length {_said(went['step_length'], 100, 'cm')}, width {_said(went['step_width'], 100, 'cm')}; "
         f"com bob {_said(went['bob'], 100, 'cm')}, sway {_said(went['sway'], 100, 'cm')}, "
