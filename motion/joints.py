@@ -71,7 +71,7 @@ def _spacing(time: np.ndarray) -> float:
 def shank_distance(knee: np.ndarray, hock: np.ndarray, ankle: np.ndarray) -> np.ndarray:
     """Least distance (F,) [m] between the lines of the two legs below the knee. Arguments (F, 2, 3)."""
     out = np.empty(len(knee))
-    _shank_distances(*(np.ascontiguousarray(a) for a in (knee, hock, ankle)), out)
+    _shank_distances(np.ascontiguousarray(knee), np.ascontiguousarray(hock), np.ascontiguousarray(ankle), out)
     return out
 
 

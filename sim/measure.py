@@ -15,8 +15,10 @@ _FRAMES = (
 )  # fmt: skip
 _PRINTS = ("side", "position", "heading", "normal", "contact_time", "stance_time", "rock")
 _DIMENSIONS = ("nominal_length", "max_length", "metatarsus", "shank_radius", "hip_height", "foot_length", "ball_forward")
-_LARGEST = ("stance_slide", "skate", "footprint_error", "contact_error", "penetration", "overreach", "flight_residual")
-_LARGEST += ("physics_cost_error",)
+_LARGEST = (
+    "stance_slide", "skate", "footprint_error", "contact_error", "penetration", "overreach", "flight_residual",
+    "physics_cost_error",
+)  # fmt: skip
 _LEAST = ("swing_clearance", "clearance_share", "shank_gap", "tree_distance", "water_distance", "border_distance", "speed")
 UNEVEN = 1e-6
 """Frames further than this [s] from even spacing have no central differences."""
@@ -163,7 +165,8 @@ def in_words(report: dict) -> str:
 def _character_in_words(one: dict) -> list[str]:
     costs, went = one["physics_cost"], one["gait"]
     shares = ", ".join(f"{name} {part['share']:.0%}" for name, part in costs.items() if name != "all")
-    gaits = ", ".join(f"{name} {share:.0%}" for name, share in went["shares"].items() if share > 0)
+    ordered = sorted(went["shares"].items(), key=lambda item: -item[1])
+    gaits = ", ".join(f"{name} {share:.0%}" for name, share in ordered if share > 0)
     return [
         f"  {one['name']}: {one['steps']} steps, {one['distance']:.1f} m at {one['speed']:.2f} m/s ({shares})",
         f"    gait {gaits} of the time; in {went['strides']} strides: speed {_said(went['speed'], 1, 'm/s')}, "

@@ -2,6 +2,7 @@
 
 import os
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 import matplotlib.patches
@@ -23,7 +24,7 @@ NAMES = {
     phases.DOUBLE_STANCE: "double stance",
     phases.FLIGHT: "flight",
 }
-_STYLE = {
+_STYLE: Any = {
     "font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "axes.labelcolor": INK,
     "xtick.color": INK, "ytick.color": INK, "text.color": INK, "axes.grid": True, "grid.color": GRID, "axes.axisbelow": True,
     "lines.linewidth": 1.3, "legend.frameon": False, "legend.fontsize": 8, "svg.hashsalt": "footfall",
@@ -47,7 +48,7 @@ def plot_run(recording: Recording, c: int, path: str | Path, between: tuple[floa
         _costs(axes[2], time[shown], a["physics_cost"][shown], a["comfort_cost"][shown])
         for axis, (name, angle) in zip(axes[3:-1], angles.items(), strict=True):
             _angle(axis, name, time[shown], angle[shown])
-        axes[3].legend(loc="upper right", ncols=2)
+        _legend(axes[3])
         _stances(axes[-1], time[shown], a["contact"][shown], a["phase"][shown])
         axes[-1].set_xlim(time[shown][0], time[shown][-1])
         axes[-1].set_xlabel("time [s]")
@@ -84,11 +85,16 @@ def _com(height: Axes, aside: Axes, time, com, prints, hip_height: float, shown:
 
 def _costs(axis: Axes, time, physics, comfort) -> None:
     axis.fill_between(time, physics, color="#d95f02", alpha=0.25, linewidth=0)
-    axis.plot(time, physics, color="#d95f02", label="physics [m/s²]")
-    axis.plot(time, comfort, color="#1b7f79", label="comfort [m/s²]")
+    axis.plot(time, physics, color="#d95f02", label="physics")
+    axis.plot(time, comfort, color="#1b7f79", label="comfort")
     axis.set_ylim(bottom=0)
     axis.set_ylabel("cost\n[m/s²]")
-    axis.legend(loc="upper right", ncols=2)
+    _legend(axis)
+
+
+def _legend(axis: Axes) -> None:
+    """Above the axis, clear of its lines."""
+    axis.legend(loc="lower right", bbox_to_anchor=(1.0, 0.94), ncols=2, borderaxespad=0)
 
 
 def _angle(axis: Axes, name: str, time, angle) -> None:
@@ -126,7 +132,8 @@ def plot_timings(tables: dict[str, dict], path: str | Path) -> None:
             _timing(column, name, table)
         for axis, label in zip(axes[:, 0], ("time [s]", "speed [m/s]", "duty factor"), strict=True):
             axis.set_ylabel(label)
-        axes[0, 0].legend(loc="upper left")
+            axis.set_ylim(bottom=0)
+        figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
         figure.align_ylabels(axes[:, 0])
         _write(figure, path)
 
@@ -135,20 +142,16 @@ def _timing(axes: np.ndarray, name: str, table: dict) -> None:
     length, kinds = np.array(table["step_length"]), np.array(table["gait"])
     parts = (("step_time", INK, "-"), ("stance_time", "#c0182a", "-"), ("swing_time", "#1b7f79", "-"))
     for column, colour, style in (*parts, ("flight_time", "#3b8fd0", "--")):
-        axes[0].plot(
-            length, _broken(table[column], kinds), style, color=colour, label=column.replace("_", " ").replace(" time", "")
-        )
+        axes[0].plot(length, _broken(table[column], kinds), style, color=colour, label=column.removesuffix("_time"))
     axes[1].plot(length, _broken(table["speed"], kinds), color=INK)
     axes[2].plot(length, _broken(table["duty_factor"], kinds), color=INK)
     axes[2].axhline(0.5, color="0.6", linewidth=0.8)
-    axes[2].set_ylim(0, 0.8)
     axes[2].set_xlabel("step length [m]")
     for axis in axes:
         for kind, shade in (("run", 0.10), ("leap", 0.22)):
             there = length[kinds == kind]
             if len(there):
                 axis.axvspan(there[0], there[-1], color=phases.COLOURS[phases.FLIGHT], alpha=shade * 2, linewidth=0)
-        axis.set_ylim(bottom=0)
     for kind in ("walk", "run", "leap"):
         there = length[kinds == kind]
         if len(there):

@@ -50,9 +50,8 @@ def in_words(tables: dict[str, dict]) -> str:
     lines = []
     for name, table in tables.items():
         change = table["run_from"]
-        told = (
-            "runs from {step_length:.2f} m, {speed:.2f} m/s, Froude {froude:.2f}".format(**change) if change else "never runs"
-        )
+        told = "runs from {step_length:.2f} m, {speed:.2f} m/s, Froude {froude:.2f}"
+        told = told.format(**change) if change else "never runs"
         lines += [f"{name} ({told})", "  step m  time s  stance s  swing s  flight s     m/s    duty  gait"]
         for i in range(0, len(table["gait"]), 10):
             values = [table[column][i] for column in ("step_length", "step_time", "stance_time", "swing_time", "flight_time")]
