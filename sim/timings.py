@@ -13,7 +13,7 @@ COLUMNS = (
 )  # fmt: skip
 
 
-def timing_table(biped: Biped, count: int = 200) -> dict:
+def timing_table(biped: Biped, count: int = 400) -> dict:
     """Columns (count,) for level, straight steps up to the longest leap, the gait of each, and the Froude number (None where
     that is not reached) at which walking changes to running. Metres and seconds."""
     b = biped.record
@@ -46,14 +46,14 @@ def run_from(biped: Biped) -> dict[str, float] | None:
 
 
 def in_words(tables: dict[str, dict]) -> str:
-    """Every tenth row of each character's table, for people."""
+    """Every twentieth row of each character's table, for people."""
     lines = []
     for name, table in tables.items():
         change = table["run_from"]
         told = "runs from {step_length:.2f} m, {speed:.2f} m/s, Froude {froude:.2f}"
         told = told.format(**change) if change else "never runs"
         lines += [f"{name} ({told})", "  step m  time s  stance s  swing s  flight s     m/s    duty  gait"]
-        for i in range(0, len(table["gait"]), 10):
+        for i in range(0, len(table["gait"]), 20):
             values = [table[column][i] for column in ("step_length", "step_time", "stance_time", "swing_time", "flight_time")]
             values += [table["speed"][i], table["duty_factor"][i]]
             cells = [f"{value:{width}.2f}" for value, width in zip(values, (8, 8, 10, 9, 10, 8, 8), strict=True)]
