@@ -64,7 +64,7 @@ def toes_up(b, track, n, m, s):
 
 @jit
 def share_at(w, hold):
-    """Share s of the swing at which way(s, hold) is about w: by the inverse of 3 x^2 - 2 x^3, which is close to the quintic's."""
+    """Share s of the swing at which way(s, hold) is about w: by the inverse of 3 x^2 - 2 x^3, close to the quintic's."""
     return hold + (1 - 2 * hold) * (0.5 - sin(asin(min(max(1 - 2 * w, -1.0), 1.0)) / 3))
 
 
