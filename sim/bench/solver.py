@@ -45,7 +45,7 @@ def _lbfgs(problem, x: np.ndarray) -> float:
         from scipy.optimize import minimize
     except ImportError:
         return float("nan")
-    work = newton.workspace(len(problem.time) - 1)
+    work = newton.workspace(len(problem.time) - 1, problem.support_point.shape[1])
 
     def smooth(flat):
         return newton.assemble(problem, flat.reshape(-1, 6), SMOOTHING, work), work.gradient.ravel().copy()
