@@ -31,7 +31,7 @@ GRAVITY = 9.81
 
 REACH_TIME = 20.0
 """Weight of a leg beyond full extension, in seconds of discomfort: more keeps it shorter, and solves slower."""
-CAUTION = 0.02
+CAUTION = 0.01
 """Stiffness of the shares in double stance [m/s^2]: less overshoots the cone, more creeps."""
 _LEAST_SHARE = 1.0
 """Push [m/s^2] below which a leg's share gets no stiffer, so that it can still vanish."""
