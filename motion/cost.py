@@ -8,8 +8,8 @@ can push along K = unit(c - s), s its point of support, and never pull.
     double stance  F = a1 K1 + a2 K2, a1, a2 >= 0, nearest  r = (n.w) n inside the cone, n = unit(K1 x K2)
     comfort        e = k (l - l_nominal)^2 per standing leg, l = |c - q|, q = ankle minus the hip's offset from c
 
-Not in the paper: reach, k * 20 s * (l - l_max)^2 where l > l_max, once at either end of a segment, where legs are longest: it
-lowers the body before a leg would have to be longer than it is.
+Not in the paper: reach. Beyond l_max the comfort cost is STRETCH times as stiff, and k * 20 s * (l - l_max)^2 counts once at
+either end of a segment, where legs are longest: both lower the body before a leg would have to be longer than it is.
 
 Derivatives: N, the projector on what the legs cannot give, is I, P, or n n^T. Moving c by dc turns leg j by P_j dc / d_j,
 d_j = |c - s_j|, and with it its push a_j K_j; as N P_j = N,
@@ -29,6 +29,8 @@ from motion.jit import jit, jit_inline
 GRAVITY = 9.81
 """m/s^2, along -z."""
 
+STRETCH = 100.0
+"""Stiffness of a leg beyond full extension, in comfort weights: more keeps it shorter, and solves slower."""
 REACH_TIME = 20.0
 """Weight of a leg beyond full extension, in seconds of discomfort: more keeps it shorter, and solves slower."""
 CAUTION = 0.01
@@ -124,8 +126,11 @@ def physics_cost(c0, c1, c2, w0, w1, w2, s, standing):
 
 
 @jit_inline
-def comfort_model(c, q, on, nominal_length, weight):
-    """weight * (leg length - nominal)^2 of one leg at com c: (e, gradient, Gauss-Newton lower triangle), 0 unless `on`."""
+def comfort_model(c, q, on, nominal_length, max_length, weight):
+    """weight * ((leg length - nominal)^2 + STRETCH * (what it is longer than max_length)^2) of one leg at com c.
+
+    (e, gradient, Gauss-Newton lower triangle), 0 unless `on`.
+    """
     if not on:
         return 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     x, y, z = c[0] - q[0], c[1] - q[1], c[2] - q[2]
@@ -133,8 +138,13 @@ def comfort_model(c, q, on, nominal_length, weight):
     inverse = 1 / length
     x, y, z = x * inverse, y * inverse, z * inverse
     stretch, h = length - nominal_length, 2 * weight
-    g = h * stretch
-    return weight * stretch * stretch, (g * x, g * y, g * z), (h * x * x, h * y * x, h * y * y, h * z * x, h * z * y, h * z * z)
+    e, g = weight * stretch * stretch, h * stretch
+    over = length - max_length
+    if over > 0:
+        e += STRETCH * weight * over * over
+        g += STRETCH * h * over
+        h += STRETCH * h
+    return e, (g * x, g * y, g * z), (h * x * x, h * y * x, h * y * y, h * z * x, h * z * y, h * z * z)
 
 
 @jit

@@ -26,6 +26,7 @@ class Problem(NamedTuple):
     fixed: np.ndarray  # (m + 1,) bool: control points that may not move
     nominal_length: np.ndarray  # (m, S, 2) of the standing legs [m]
     max_length: np.ndarray  # (2,) of the left and right leg [m]; infinite: reach does not count
+    reach_at_ends: np.ndarray  # (1,) bool: whether reach counts at the ends of segments too
     anchor: np.ndarray  # (6,) where the last control point is held by springs
     anchor_stiffness: np.ndarray  # (2,) of its position [1/s/m] and velocity [s/m]; 0: free
     comfort_weight: float  # [1/s^2/m]
@@ -44,6 +45,7 @@ def empty_problem(segments, samples, nominal_length, max_length, comfort_weight)
         np.zeros(segments + 1, np.bool_),
         np.full((segments, samples, 2), nominal_length),
         np.full(2, max_length),
+        np.ones(1, np.bool_),
         np.zeros(6),
         np.zeros(2),
         comfort_weight,
@@ -86,7 +88,9 @@ def physics_of_sample(problem, i, j, c, w, eps):
 def comfort_of_leg(problem, i, j, leg, c):
     """motion.cost.comfort_model of one leg in sample j of segment i."""
     q, on = triple(problem.leg_origin, i, j, leg), problem.standing[i, j, leg]
-    return cost.comfort_model(c, q, on, problem.nominal_length[i, j, leg], problem.comfort_weight)
+    return cost.comfort_model(
+        c, q, on, problem.nominal_length[i, j, leg], problem.max_length[leg], problem.comfort_weight
+    )
 
 
 @jit
@@ -113,8 +117,8 @@ def reach_of_curve(problem, control):
 
 @jit_inline
 def reach_counts(problem):
-    """Whether legs can be too long: max_length is finite."""
-    return min(problem.max_length[0], problem.max_length[1]) < np.inf
+    """Whether legs can be too long at the ends of segments."""
+    return problem.reach_at_ends[0] and min(problem.max_length[0], problem.max_length[1]) < np.inf
 
 
 @jit

@@ -225,7 +225,6 @@ def optimise_track(b, track, begin, end, start, finish, samples, by_step, effort
     control[0], control[-1] = start, finish
     problem.fixed[0] = problem.fixed[-1] = True
     problems.straight_guess(problem, control, 1)
-    problem.max_length[:] = FULL_REACH * b.max_length
     e, iterations = newton.minimise(problem, control, effort)
     return problem.time, control, support, e, iterations
 
@@ -234,7 +233,8 @@ def optimise_track(b, track, begin, end, start, finish, samples, by_step, effort
 def optimise_window(b, track, begin, end, start, old_time, old_control, effort):
     """Optimises [begin, end] from the committed state start (6,); returns (time, control, support, E, iterations).
 
-    Walking keeps within reach by itself, so reach counts only where the first solve left it: its stiffness costs iterations.
+    Walking keeps within reach at the ends of its segments by itself, so that counts only where the first solve left it: its
+    stiffness costs iterations.
 
     old_time (k + 1,) and old_control (k + 1, 6) are the previous window's curve (k = 0: none, a cold start).
     """
@@ -242,7 +242,7 @@ def optimise_window(b, track, begin, end, start, old_time, old_control, effort):
     control = np.zeros((len(problem.time), 6))
     begin_window(track, problem, control, start, old_time, old_control)
     e, iterations = newton.minimise(problem, control, effort)
-    problem.max_length[:] = FULL_REACH * b.max_length
+    problem.reach_at_ends[0] = True
     if problems.reach_of_curve(problem, control) > TOO_FAR or e > HARD * (problem.time[-1] - problem.time[0]):
         e, more = newton.minimise(problem, control, newton.HARDER)
         iterations += more
@@ -251,7 +251,7 @@ def optimise_window(b, track, begin, end, start, old_time, old_control, effort):
 
 @jit
 def lay_window(b, track, begin, end):
-    """Problem and support of a window, legs of any length."""
+    """Problem and support of a window, without the reach at the ends of its segments."""
     problem, support = build_problem(b, track, begin, end, LIVE_SAMPLES, False)
-    problem.max_length[:] = np.inf
+    problem.reach_at_ends[0] = False
     return problem, support

@@ -29,9 +29,10 @@ def physics_cost(com, acceleration, supports):
     return float(nnls(legs, w)[1])
 
 
-def comfort_cost(com, origins, nominal_lengths, weight):
-    """weight * sum of (l - l_nominal)^2."""
-    return weight * sum((np.linalg.norm(com - q) - nominal) ** 2 for q, nominal in zip(origins, nominal_lengths, strict=True))
+def comfort_cost(com, origins, nominal_lengths, max_length, weight):
+    """weight * sum of (l - l_nominal)^2 + 100 (l - l_max)^2, the second where a leg is longer."""
+    lengths = np.linalg.norm(com - np.reshape(origins, (-1, 3)), axis=1)
+    return weight * np.sum((lengths - nominal_lengths) ** 2 + 100 * np.maximum(lengths - max_length, 0.0) ** 2)
 
 
 def reach_cost(com, origins, max_length, weight):
@@ -51,10 +52,10 @@ def total_cost(problem, control):
             on = problem.standing[i, j]
             part = physics_cost(com, acceleration, list(problem.support_point[i, j][on]))
             legs = problem.leg_origin[i, j][on], problem.nominal_length[i, j][on]
-            part += comfort_cost(com, *legs, problem.comfort_weight)
+            part += comfort_cost(com, *legs, problem.max_length[0], problem.comfort_weight)
             e += part * duration / samples
         for end in (0, 1):
-            if problem.fixed[i + end]:
+            if problem.fixed[i + end] or not problem.reach_at_ends[0]:
                 continue
             legs = problem.end_origin[i, end][problem.end_standing[i, end]]
             e += reach_cost(control[i + end, :3], legs, problem.max_length[0], problem.comfort_weight)
@@ -80,8 +81,9 @@ def normal_equations(problem, control, eps):
             part = both.T @ whole(lower) @ both
             slope = both.T @ np.array(force)
             for leg in range(2):
-                origin, nominal = tuple(problem.leg_origin[i, j, leg]), problem.nominal_length[i, j, leg]
-                _, force, lower = cost.comfort_model(tuple(com), origin, on[leg], nominal, problem.comfort_weight)
+                origin = tuple(problem.leg_origin[i, j, leg])
+                lengths = problem.nominal_length[i, j, leg], problem.max_length[leg]
+                _, force, lower = cost.comfort_model(tuple(com), origin, on[leg], *lengths, problem.comfort_weight)
                 part += dc.T @ whole(lower) @ dc
                 slope += dc.T @ np.array(force)
             h[i : i + 2, :, i : i + 2] += part.reshape(2, 6, 2, 6) * duration / samples

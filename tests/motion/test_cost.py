@@ -37,7 +37,7 @@ def model(x, points, standing, eps):
     e, gradient = r, np.concatenate([-phi * np.array(g), g])
     for leg, nominal in enumerate((0.9, 0.85)):
         origin = tuple(np.array(points[leg]) + 0.05)
-        more, f, _ = cost.comfort_model(tuple(x[:3]), origin, standing[leg], nominal, 100.0)
+        more, f, _ = cost.comfort_model(tuple(x[:3]), origin, standing[leg], nominal, 1.02 * nominal, 100.0)
         e, gradient = e + more, gradient + np.concatenate([f, np.zeros(3)])
     return e, gradient, m
 
