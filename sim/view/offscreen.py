@@ -34,11 +34,10 @@ class Picture:
     def frame(self, sim: Cast, focus: int = 0, time: float | None = None) -> np.ndarray:
         """(height, width, 3) uint8 of a moment [s], by default now."""
         time = sim.time if time is None else time
-        pose = sim.snapshot(time)
         unit = float(sim.bipeds["nominal_length"][sim.crowd.kind[focus]])
         self.camera.distance = self.distance * unit
-        self.camera.target = pose.com[focus] - (0, 0, 0.25 * unit)
-        self.renderer.draw(self.target, sim, pose, self.camera, time, focus)
+        self.camera.target = sim.com(time)[focus] - (0, 0, 0.25 * unit)
+        self.renderer.draw(self.target, sim, self.camera, time, focus)
         self.ctx.copy_framebuffer(self.resolved, self.target)
         width, height = self.target.size
         return np.frombuffer(self.resolved.read(), np.uint8).reshape(height, width, 3)[::-1]

@@ -59,10 +59,9 @@ class Screen3D:
 
     def draw(self, app) -> None:
         """One frame."""
-        pose = app.sim.snapshot()
-        app.camera.follow_point(pose.com[app.focus], self.seconds)
+        app.camera.follow_point(app.sim.com()[app.focus], self.seconds)
         self.renderer.show_overlays = app.show_overlays
-        self.renderer.draw(self.target, app.sim, pose, app.camera, app.sim.time, app.focus)
+        self.renderer.draw(self.target, app.sim, app.camera, app.sim.time, app.focus)
         self.ctx.copy_framebuffer(self.flat, self.target)
         self.ctx.screen.use()
         self.ctx.viewport = (0, 0, *self.size)
