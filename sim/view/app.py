@@ -9,16 +9,22 @@ from sim.cast import Cast
 from sim.view import gl, picking
 from sim.view.camera import Camera
 from sim.view.plan_view import draw_plan
+from sim.view.trail import Trail
 from worlds.errors import InputError
 
 FRAME = 1 / 60
 MOST_TICKS = 6
 """Ticks made up for in one frame after a stall; the rest of the backlog is dropped."""
 CHARACTERS = ("bird", "dinosaur", "human")
+CROWD = 250
+"""Characters that the first picture of a crowd shows, the nearest."""
+STILL = 4
+"""A press and release no more than so many pixels apart is a click, else a drag."""
 HELP = (
     "space  pause        .  single tick       [ ]  slower, faster",
     "c  character        o  overlays          f  follow      v  plan view",
     "r  restart          n  next level        tab  panel     h  help     esc  quit",
+    "a  everyone         left, right, or a click on it: the character to follow",
     "drag: orbit   wheel: zoom   G+click: goal   T+click: tree   K+click: rock   X+click: remove",
 )
 
@@ -34,14 +40,21 @@ class App:
         self.paused, self.speed, self.running = False, 1.0, True
         self.show_overlays, self.show_panel, self.show_help = True, True, False
         self.focus, self.behind, self.message = 0, 0.0, ""
+        self.in_view = 0
+        self.pressed: tuple[int, int] | None = None
         self._tool: str | None = None
         self._reset_view()
 
     def _reset_view(self) -> None:
-        unit = float(self.sim.bipeds["nominal_length"][self.sim.crowd.kind[0]])
-        self.camera.distance = 6.5 * unit
-        self.camera.target = self.sim.snapshot().com[0].copy()
+        """Looks at the first character; where there are others, from so far that a crowd is seen."""
+        com = self.sim.com()
         self.focus, self.behind = 0, 0.0
+        self.camera.frame(com[0], np.sort(np.linalg.norm(com - com[0], axis=1))[:CROWD][-1], 6.5 * self._unit())
+        self.camera.follow = True
+
+    def _unit(self) -> float:
+        """Leg length of the character that is followed [m]."""
+        return float(self.sim.bipeds["nominal_length"][self.sim.crowd.kind[self.focus]])
 
     def advance(self, seconds: float) -> None:
         """Lets wall time pass: whole ticks, at most MOST_TICKS."""
@@ -74,7 +87,8 @@ class App:
         actions = {
             "space": self._pause, ".": self._single, "[": self._slower, "]": self._faster, "c": self._next_character,
             "o": self._overlays, "f": self._follow, "v": self._plan, "r": self.rebuild, "n": self._next_level,
-            "tab": self._panel, "h": self._help, "escape": self._quit,
+            "tab": self._panel, "h": self._help, "escape": self._quit, "a": self._everyone, "left": self._previous,
+            "right": self._next,
         }  # fmt: skip
         if name in actions:
             actions[name]()
@@ -118,6 +132,24 @@ class App:
     def _plan(self) -> None:
         self.camera.plan = not self.camera.plan
 
+    def _everyone(self) -> None:
+        """An overview: all characters in view, nobody followed."""
+        com = self.sim.com()
+        middle = 0.5 * (com.min(axis=0) + com.max(axis=0))
+        self.camera.frame(middle, float(np.linalg.norm(com - middle, axis=1).max()), 6.5 * self._unit())
+        self.camera.follow = False
+
+    def _previous(self) -> None:
+        self.follow((self.focus - 1) % len(self.sim.characters))
+
+    def _next(self) -> None:
+        self.follow((self.focus + 1) % len(self.sim.characters))
+
+    def follow(self, character: int) -> None:
+        """Follows another character; comes near where it would be too small to see."""
+        self.focus, self.camera.follow = character, True
+        self.camera.distance = min(self.camera.distance, 14.0 * self._unit())
+
     def _panel(self) -> None:
         self.show_panel = not self.show_panel
 
@@ -132,10 +164,16 @@ class App:
         self.camera.orbit(dx, dy)
 
     def click(self, x: float, y: float, aspect: float) -> None:
-        """A click at x, y in -1..1 (y up): what it does depends on the key that is held."""
-        place = picking.ground_point(self.sim.world, *self.camera.ray(x, y, aspect))
-        if self._tool and place is not None:
-            self.edit(self._tool, *place)
+        """A click at x, y in -1..1 (y up): what it does depends on the key that is held; without one it follows."""
+        ray = self.camera.ray(x, y, aspect)
+        if self._tool:
+            place = picking.ground_point(self.sim.world, *ray)
+            if place is not None:
+                self.edit(self._tool, *place)
+        else:
+            found = picking.character_at(self.sim.com(), 0.7 * self._unit(), *ray)
+            if found is not None:
+                self.follow(found)
 
     def edit(self, tool: str, x: float, y: float) -> None:
         """g: goal, t: plant a tree, k: put a rock, x: remove the nearest tree or rock. Refuses what would trap someone."""
@@ -225,8 +263,12 @@ def handle(app: App, screen, event, pygame) -> None:
     elif event.type == pygame.MOUSEMOTION and any(event.buttons):
         app.drag(*event.rel)
     elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+        app.pressed = event.pos
+    elif event.type == pygame.MOUSEBUTTONUP and event.button == 1 and app.pressed:
         width, height = screen.size
-        app.click(2 * event.pos[0] / width - 1, 1 - 2 * event.pos[1] / height, width / height)
+        if max(abs(event.pos[0] - app.pressed[0]), abs(event.pos[1] - app.pressed[1])) <= STILL:
+            app.click(2 * event.pos[0] / width - 1, 1 - 2 * event.pos[1] / height, width / height)
+        app.pressed = None
     elif event.type == pygame.VIDEORESIZE:
         screen.resize(event.size)
 
@@ -248,6 +290,7 @@ class PlanScreen:
     def __init__(self, pygame, size: tuple[int, int]) -> None:
         self.pygame, self.size = pygame, size
         self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+        self.trail = Trail(most=400)
         pygame.display.set_caption("Footfall (plan view)")
 
     def takes(self, event) -> bool:
@@ -261,7 +304,6 @@ class PlanScreen:
     def draw(self, app: App) -> None:
         """One frame."""
         app.camera.plan = True
-        pose = app.sim.snapshot()
-        app.camera.follow_point(pose.com[app.focus], FRAME)
-        draw_plan(self.surface, app.sim, np.asarray(app.camera.target[:2]), 3.0 * app.camera.distance)
+        app.camera.follow_point(app.sim.com()[app.focus], FRAME)
+        draw_plan(self.surface, app.sim, self.trail, np.asarray(app.camera.target[:2]), 3.0 * app.camera.distance)
         self.pygame.display.flip()

@@ -4,7 +4,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-NEAR, FAR = 0.1, 250.0
+NEAR, FAR = 0.1, 400.0
+FARTHEST = 120.0
+"""The camera goes no farther away than this [m]."""
 FIELD_OF_VIEW = np.radians(42.0)
 
 
@@ -29,9 +31,15 @@ class Camera:
         self.azimuth -= 0.006 * dx
         self.elevation = float(np.clip(self.elevation + 0.006 * dy, 0.02, 1.5))
 
+    def frame(self, centre: np.ndarray, radius: float, nearest: float) -> None:
+        """Looks at all within `radius` [m] of the centre, from no nearer than `nearest` [m]; at many from higher up."""
+        self.target = np.array(centre, float)
+        self.distance = float(np.clip(0.95 * radius / np.tan(FIELD_OF_VIEW / 2), nearest, FARTHEST))
+        self.elevation = 0.32 + 0.33 * (self.distance > 2 * nearest)
+
     def zoom(self, clicks: float) -> None:
         """Nearer for positive clicks of the wheel."""
-        self.distance = float(np.clip(self.distance * 0.88**clicks, 1.2, 120.0))
+        self.distance = float(np.clip(self.distance * 0.88**clicks, 1.2, FARTHEST))
 
     @property
     def eye(self) -> np.ndarray:

@@ -68,7 +68,9 @@ def bird(clay: Clay, biped: Biped, pose: Pose, distant: bool) -> None:
     clay.add(wing[0], 0.11 * u, wing[1], 0.06 * u, second)
     clay.add(wing[0] - 0.4 * girth * u * chest.left, 0.11 * u, wing[1] - 0.32 * girth * u * chest.left, 0.06 * u, second)
     clay.add(pose.head, 0.135 * u, pose.head + 0.05 * u * chest.forward, 0.125 * u, throat)
-    clay.add(pose.head + 0.1 * u * chest.forward, 0.06 * u, pose.head + u * (0.3 * chest.forward - 0.05 * chest.up), 0.02 * u, skin)
+    clay.add(
+        pose.head + 0.1 * u * chest.forward, 0.06 * u, pose.head + u * (0.3 * chest.forward - 0.05 * chest.up), 0.02 * u, skin
+    )
     _legs(clay, pose, u, main * 0.95 if slim >= 1 else skin, skin, (0.125, 0.055, 0.042))
 
 

@@ -92,10 +92,8 @@ def ground(world: World, cells: int = 150) -> tuple[np.ndarray, np.ndarray]:
     return np.concatenate([points, normals, colours], axis=2).reshape(-1, 9).astype("f4"), quads(index).reshape(-1, 3)
 
 
-def stairs(world: World) -> np.ndarray | None:
-    """Sharp treads and risers of a straight flight; other terrains need none."""
-    if world.terrain != "stairs":
-        return None
+def stairs(world: World) -> tuple[np.ndarray, np.ndarray]:
+    """Sharp treads and risers of a straight flight: vertices (K, 9) and triangles (T, 3)."""
     x0, rise, run, count = world.terrain_parameters[:4]
     profile = [(-SKIRT, 0.0), (x0, 0.0)]
     for k in range(int(count)):
@@ -104,7 +102,8 @@ def stairs(world: World) -> np.ndarray | None:
     line = np.array(profile)
     sides = np.array([-SKIRT, world.size[1] + SKIRT])
     grid = np.array([[(x, y, z) for x, z in line] for y in sides])
-    return _triangles(quads(grid).reshape(-1, 3), STONE * 1.15).astype("f4")
+    flat = _triangles(quads(grid).reshape(-1, 3), STONE * 1.15).astype("f4")
+    return flat, np.arange(len(flat)).reshape(-1, 3)
 
 
 def rocks(world: World) -> np.ndarray:

@@ -18,7 +18,9 @@ SUN_FAR = 1e4
 MESH = ("3f 3f 3f", "in_position", "in_normal", "in_colour")
 CLAY = ("4f 4f 4f/i", "a", "b", "paint")
 PRINT = ("4f 4f/i", "place", "lie")
-WIDEST_SHADOWS = 60.0
+HAZE = 75.0
+"""Distance [m] over which things fade; from far away they fade later, so that an overview stays clear."""
+WIDEST_SHADOWS = 80.0
 """Shadows are drawn no farther than this [m] from what the camera looks at."""
 
 
@@ -38,6 +40,7 @@ class Renderer:
         self._forest = Forest(ctx)
         self._trail, self._prints = Trail(), list[Mesh]()
         self.shadow: moderngl.Texture | None = None
+        self._shadow_target: moderngl.Framebuffer | None = None
         self._world: World | None = None
         self._sim: Cast | None = None
         self._static: dict[str, Mesh] = {}
@@ -68,10 +71,7 @@ class Renderer:
         """Builds the world's geometry, where it differs from the one shown; edits rebuild only what they touch."""
         old, self._world = self._world, world
         if old is None or old.name != world.name or len(old.trees) != len(world.trees):
-            if world.terrain == "stairs":
-                self._upload("ground", meshes.stairs(world))
-            else:
-                self._upload("ground", *meshes.ground(world))
+            self._upload("ground", *(meshes.stairs(world) if world.terrain == "stairs" else meshes.ground(world)))
             self._forest.plant(world)
         self._upload("rocks", meshes.rocks(world))
         self._upload("water", meshes.water(world))
@@ -90,7 +90,7 @@ class Renderer:
         self.ctx.viewport = (0, 0, target.width, target.height)
         target.clear(0.7, 0.8, 0.9)
         for program in (self.mesh, self.tree, self.print, self.clay, self.wet, self.sky):
-            self._uniforms(program, view, sun, camera.eye, time)
+            self._uniforms(program, view, sun, camera, time)
         unit = float(sim.bipeds["nominal_length"][sim.crowd.kind[focus]])
         _set(self.tree, "focus", np.array([*self._focus_com, 1.3 * unit], "f4").tobytes())
         self._draw_clay(self.clay)
@@ -135,16 +135,17 @@ class Renderer:
     def _shadow_pass(self, sun: np.ndarray) -> None:
         size = self.quality.shadow_size
         if self.shadow is None or self.shadow.size != (size, size):
-            if self.shadow:
-                self.shadow_target.release()
-                self.shadow.release()
+            for one in (self._shadow_target, self.shadow):
+                if one:
+                    one.release()
             self.shadow = self.ctx.depth_texture((size, size))
             self.shadow.compare_func = "<="
             self.shadow.filter = moderngl.LINEAR, moderngl.LINEAR
-            self.shadow_target = self.ctx.framebuffer(depth_attachment=self.shadow)
-        self.shadow_target.use()
+            self._shadow_target = self.ctx.framebuffer(depth_attachment=self.shadow)
+        assert self._shadow_target is not None
+        self._shadow_target.use()
         self.ctx.viewport = (0, 0, size, size)
-        self.shadow_target.clear()
+        self._shadow_target.clear()
         for program in (self.mesh_depth, self.tree_depth, self.clay_depth):
             _set(program, "view_projection", sun.T.astype("f4").tobytes())
             _set(program, "eye", (SUN_FAR * SUN).astype("f4").tobytes())
@@ -152,13 +153,14 @@ class Renderer:
         self._forest.draw(self.tree_depth)
         self._draw_clay(self.clay_depth)
 
-    def _uniforms(self, program, view, sun, eye, time: float) -> None:
+    def _uniforms(self, program, view, sun, camera: Camera, time: float) -> None:
         _set(program, "view_projection", view.T.astype("f4").tobytes())
         _set(program, "sun_projection", sun.T.astype("f4").tobytes())
         _set(program, "back_projection", np.linalg.inv(view).T.astype("f4").tobytes())
-        _set(program, "eye", np.asarray(eye, "f4").tobytes())
+        _set(program, "eye", np.asarray(camera.eye, "f4").tobytes())
         _set(program, "sun", SUN.astype("f4").tobytes())
         _set(program, "time", np.float32(time).tobytes())
+        _set(program, "haze", np.float32(max(HAZE, 1.8 * camera.distance)).tobytes())
         _set(program, "shadows", np.float32(self.quality.shadow_samples if self.quality.shadow_size else 0).tobytes())
         if self.shadow:
             self.shadow.use(0)

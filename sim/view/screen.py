@@ -29,6 +29,12 @@ class Screen3D:
         self.renderer = Renderer(self.ctx, LEVELS[self.level])
         self.panel = _panel(pygame, size)
         self.seconds, self._since, self._last = TARGET, 0, clock.perf_counter()
+        self.copy = self.ctx.program(
+            vertex_shader="#version 330\nin vec2 c; out vec2 uv; void main(){uv=c*0.5+0.5;gl_Position=vec4(c,0.,1.);}",
+            fragment_shader="#version 330\nuniform sampler2D t; in vec2 uv; out vec4 o; void main(){o=texture(t,uv);}",
+        )
+        self.blow_up = self.ctx.simple_vertex_array(self.copy, self.renderer.corners, "c")
+        self._kept: list = []
         self._target()
 
     def _target(self) -> None:
@@ -36,17 +42,14 @@ class Screen3D:
         quality = self.renderer.quality = LEVELS[self.level]
         small = (max(int(self.size[0] * quality.scale), 64), max(int(self.size[1] * quality.scale), 64))
         samples = min(quality.samples, self.ctx.max_samples)
+        for one in self._kept:
+            one.release()
         self.picture = self.ctx.texture(small, 3)
         self.picture.filter = moderngl.LINEAR, moderngl.LINEAR
         self.flat = self.ctx.framebuffer(self.picture)
-        self.target = self.ctx.framebuffer(
-            self.ctx.renderbuffer(small, 3, samples=samples), self.ctx.depth_renderbuffer(small, samples=samples)
-        )
-        self.copy = self.ctx.program(
-            vertex_shader="#version 330\nin vec2 c; out vec2 uv; void main(){uv=c*0.5+0.5;gl_Position=vec4(c,0.,1.);}",
-            fragment_shader="#version 330\nuniform sampler2D t; in vec2 uv; out vec4 o; void main(){o=texture(t,uv);}",
-        )
-        self.blow_up = self.ctx.simple_vertex_array(self.copy, self.renderer.corners, "c")
+        colour, depth = self.ctx.renderbuffer(small, 3, samples=samples), self.ctx.depth_renderbuffer(small, samples=samples)
+        self.target = self.ctx.framebuffer(colour, depth)
+        self._kept = [self.flat, self.target, self.picture, colour, depth]
 
     def resize(self, size: tuple[int, int]) -> None:
         """The window has another size."""
@@ -62,15 +65,15 @@ class Screen3D:
         app.camera.follow_point(app.sim.com()[app.focus], self.seconds)
         self.renderer.show_overlays = app.show_overlays
         self.renderer.draw(self.target, app.sim, app.camera, app.sim.time, app.focus)
+        app.in_view = int(self.renderer.bodies.levels.sum())
         self.ctx.copy_framebuffer(self.flat, self.target)
         self.ctx.screen.use()
         self.ctx.viewport = (0, 0, *self.size)
-        self.ctx.disable(moderngl.DEPTH_TEST)
+        self.ctx.disable(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         self.picture.use(0)
         self.blow_up.render()
         if self.panel:
             self.panel.draw(app, self.size, 1 / self.seconds)
-        self.ctx.enable_only(moderngl.DEPTH_TEST)
         self.pygame.display.flip()
         self._adapt()
 

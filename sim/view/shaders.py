@@ -7,6 +7,7 @@ uniform mat4 sun_projection;
 uniform vec3 eye;
 uniform vec3 sun;
 uniform float time;
+uniform float haze;                     // distance over which things fade [m]
 """
 
 LIGHT = """
@@ -39,7 +40,7 @@ vec3 shade(vec3 colour, vec3 p, vec3 n) {
     away /= far;
     float rim = 1.0 - max(-dot(n, away), 0.0);
     vec3 c = colour * (ambient + light * vec3(0.86, 0.78, 0.62)) + (0.12 * rim * rim * rim) * vec3(0.7, 0.8, 0.9);
-    float x = far / 75.0;
+    float x = far / haze;
     return mix(sky_colour(away * vec3(1.0, 1.0, 0.2)), c, exp(-x * sqrt(x)));
 }
 vec4 tone(vec3 c) { c = clamp(c, 0.0, 1.0); return vec4(c * (1.1 - 0.1 * c), 1.0); }

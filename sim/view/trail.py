@@ -15,6 +15,10 @@ class Trail:
 
     def __init__(self, most: int = MOST) -> None:
         self.most = most
+        self.rows: list[np.ndarray] = []
+        self.count: list[int] = []
+        self._next: list[int] = []
+        self._seen = np.zeros(0, np.int64)
         self._sim: Cast | None = None
 
     def look(self, sim: Cast) -> list[tuple[int, int, np.ndarray]]:
