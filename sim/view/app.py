@@ -16,8 +16,6 @@ FRAME = 1 / 60
 MOST_TICKS = 6
 """Ticks made up for in one frame after a stall; the rest of the backlog is dropped."""
 CHARACTERS = ("bird", "dinosaur", "human")
-CROWD = 250
-"""Characters that the first picture of a crowd shows, the nearest."""
 STILL = 4
 """A press and release no more than so many pixels apart is a click, else a drag."""
 HELP = (
@@ -47,9 +45,8 @@ class App:
 
     def _reset_view(self) -> None:
         """Looks at the first character; where there are others, from so far that a crowd is seen."""
-        com = self.sim.com()
         self.focus, self.behind = 0, 0.0
-        self.camera.frame(com[0], np.sort(np.linalg.norm(com - com[0], axis=1))[:CROWD][-1], 6.5 * self._unit())
+        self.camera.meet(self.sim.com(), 0, 6.5 * self._unit())
         self.camera.follow = True
 
     def _unit(self) -> float:

@@ -13,7 +13,7 @@ SHADOW = 1.0
 SMALLEST = 0.09
 """Parts that reach less than this, in units of the nominal leg, are left out of a REDUCED body."""
 VARIETY = 0.16
-"""By how much characters differ in brightness, and by a third of it in hue."""
+"""By how much characters differ in brightness, and as much in each colour."""
 
 
 class Bodies:
@@ -60,7 +60,7 @@ class Bodies:
         self._reach = np.array([_reach(biped) for biped in self._bipeds])[kind]
         self._tall = 1.9 * np.array([float(biped.record.nominal_length) for biped in self._bipeds])[kind]
         chance = np.random.Generator(np.random.Philox(key=sim.seed)).uniform(-1, 1, (len(kind), 4))
-        self._tint = 1 + VARIETY * (chance[:, :1] + chance[:, 1:] / 3)
+        self._tint = 1 + VARIETY * (chance[:, :1] + chance[:, 1:])
         self._tint[0] = 1.0
 
 
@@ -92,7 +92,7 @@ def outline(biped: Biped) -> np.ndarray:
     return np.concatenate(parts)
 
 
-def _oval(x: float, y: float, a: float, b: float, sides: int = 12) -> np.ndarray:
+def _oval(x: float, y: float, a: float, b: float, sides: int = 9) -> np.ndarray:
     angles = np.linspace(0, 2 * np.pi, sides + 1)
     rim = np.stack([x + a * np.cos(angles), y + b * np.sin(angles)], axis=1)
     middle = np.broadcast_to((x, y), rim[:-1].shape)

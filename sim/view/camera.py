@@ -7,6 +7,8 @@ import numpy as np
 NEAR, FAR = 0.1, 400.0
 FARTHEST = 120.0
 """The camera goes no farther away than this [m]."""
+CROWD = 250
+"""Characters that the first picture of a crowd shows, the nearest."""
 FIELD_OF_VIEW = np.radians(42.0)
 
 
@@ -32,10 +34,16 @@ class Camera:
         self.elevation = float(np.clip(self.elevation + 0.006 * dy, 0.02, 1.5))
 
     def frame(self, centre: np.ndarray, radius: float, nearest: float) -> None:
-        """Looks at all within `radius` [m] of the centre, from no nearer than `nearest` [m]; at many from higher up."""
+        """Looks at all within `radius` [m] of the centre, from no nearer than `nearest` [m]; from afar it looks down."""
         self.target = np.array(centre, float)
-        self.distance = float(np.clip(0.95 * radius / np.tan(FIELD_OF_VIEW / 2), nearest, FARTHEST))
-        self.elevation = 0.32 + 0.33 * (self.distance > 2 * nearest)
+        self.distance = float(np.clip(0.7 * radius / np.tan(FIELD_OF_VIEW / 2), nearest, FARTHEST))
+        if self.distance > 2 * nearest:
+            self.elevation = max(self.elevation, 0.65)
+
+    def meet(self, com: np.ndarray, focus: int, nearest: float) -> None:
+        """Looks at a character as `frame` does; where there are others, com (C, 3), from so far that CROWD of them are seen."""
+        away = np.sort(np.linalg.norm(com - com[focus], axis=1))
+        self.frame(com[focus], float(away[: CROWD + 1][-1]), nearest)
 
     def zoom(self, clicks: float) -> None:
         """Nearer for positive clicks of the wheel."""

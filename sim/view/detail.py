@@ -4,7 +4,7 @@ import numpy as np
 
 FULL, REDUCED, FAR, DISTANT = range(4)
 """Levels of detail of a body: all of it; without small parts, coarser; a dozen flat shapes; a handful."""
-PIXELS = (110.0, 38.0, 15.0)
+PIXELS = (120.0, 50.0, 16.0)
 """Bodies at least this tall on screen are FULL, REDUCED, FAR; smaller ones DISTANT."""
 
 

@@ -14,7 +14,7 @@ class Mesh:
         self._vertices = ctx.buffer(np.ascontiguousarray(vertices, "f4"))
         self._indices = ctx.buffer(np.ascontiguousarray(indices, "i4"))
         self._rows: moderngl.Buffer | None = None
-        self._arrays: dict[int, moderngl.VertexArray] = {}
+        self._arrays: dict[tuple[int, int], moderngl.VertexArray] = {}
         self.count = 0
 
     def write(self, rows: np.ndarray, at: int = 0, keep: int = 0) -> None:
@@ -40,20 +40,21 @@ class Mesh:
             array.release()
         self._arrays.clear()
 
-    def draw(self, program: moderngl.Program) -> None:
-        """Draws it: all rows, or once where it has none."""
+    def draw(self, program: moderngl.Program, shape: "Mesh | None" = None) -> None:
+        """Draws it: all rows, or once where it has none; `shape` lends its triangles to the rows."""
         if self.row_layout is None:
-            self._array(program).render()
+            self._array(program, self).render()
         elif self.count:
-            self._array(program).render(instances=self.count)
+            self._array(program, shape or self).render(instances=self.count)
 
-    def _array(self, program: moderngl.Program) -> moderngl.VertexArray:
-        if program.glo not in self._arrays:
-            content = [(self._vertices, *_used(program, self.layout))]
+    def _array(self, program: moderngl.Program, shape: "Mesh") -> moderngl.VertexArray:
+        key = (program.glo, shape._vertices.glo)
+        if key not in self._arrays:
+            content = [(shape._vertices, *_used(program, shape.layout))]
             if self.row_layout:
                 content.append((self._rows, *_used(program, self.row_layout)))
-            self._arrays[program.glo] = self.ctx.vertex_array(program, content, index_buffer=self._indices)
-        return self._arrays[program.glo]
+            self._arrays[key] = self.ctx.vertex_array(program, content, index_buffer=shape._indices)
+        return self._arrays[key]
 
     def release(self) -> None:
         """Gives everything back."""

@@ -93,7 +93,8 @@ class Renderer:
             self._uniforms(program, view, sun, camera, time)
         unit = float(sim.bipeds["nominal_length"][sim.crowd.kind[focus]])
         _set(self.tree, "focus", np.array([*self._focus_com, 1.3 * unit], "f4").tobytes())
-        self._draw_clay(self.clay)
+        for mesh in self._clay.values():
+            self._draw_clay(self.clay, mesh, mesh)
         self._forest.draw(self.tree)
         self._draw_static("rocks", self.mesh)
         for prints in self._prints:
@@ -121,8 +122,8 @@ class Renderer:
             self._sim = sim
             for mesh in self._prints:
                 mesh.release()
-            outlines = [bodies.outline(biped).reshape(-1, 2) for biped in bodies.kinds_of(sim)]
-            self._prints = [Mesh(self.ctx, ("2f", "in_outline"), shape, np.arange(len(shape)), PRINT) for shape in outlines]
+            shapes = [np.unique(bodies.outline(b).reshape(-1, 2), axis=0, return_inverse=True) for b in bodies.kinds_of(sim)]
+            self._prints = [Mesh(self.ctx, ("2f", "in_outline"), *shape, PRINT) for shape in shapes]
         for kind, at, rows in self._trail.look(sim):
             self._prints[kind].write(rows, at, keep=self._prints[kind].count)
 
@@ -151,7 +152,9 @@ class Renderer:
             _set(program, "eye", (SUN_FAR * SUN).astype("f4").tobytes())
         self._draw_static("rocks", self.mesh_depth)
         self._forest.draw(self.tree_depth)
-        self._draw_clay(self.clay_depth)
+        for mesh in (self._clay["coarse"], self._clay["flat"]):
+            self._draw_clay(self.clay_depth, mesh, self._clay["flat"])
+        self._draw_clay(self.clay_depth, self._clay["fine"], self._clay["coarse"])
 
     def _uniforms(self, program, view, sun, camera: Camera, time: float) -> None:
         _set(program, "view_projection", view.T.astype("f4").tobytes())
@@ -169,10 +172,10 @@ class Renderer:
         if name in self._static:
             self._static[name].draw(program)
 
-    def _draw_clay(self, program) -> None:
-        for name, mesh in self._clay.items():
-            _set(program, "flat_shapes", np.float32(name == "flat").tobytes())
-            mesh.draw(program)
+    def _draw_clay(self, program, mesh: Mesh, shape: Mesh) -> None:
+        """Draws a mesh's rows as that shape."""
+        _set(program, "flat_shapes", np.float32(shape is self._clay["flat"]).tobytes())
+        mesh.draw(program, shape)
 
 
 def _set(program, name: str, value: bytes) -> None:
