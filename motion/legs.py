@@ -10,7 +10,7 @@ from math import exp, sqrt
 
 from motion.jit import jit
 
-SOFT_FROM = 0.94
+SOFT_FROM = 0.96
 """Share of full extension from which on the knee resists: without this its angle changes ever faster and pops."""
 
 

@@ -93,11 +93,11 @@ def _stand(b, track, n, t, pose, c, leg):
 
 
 @jit
-def _fly(b, track, last, following, stance, t, pose, c, leg):
+def _fly(b, track, last, following, t, pose, c, leg):
     """The foot on its way from footprint `last` to `following`."""
     left = track.contact_time[last] + track.stance_time[last]
     s = min(max((t - left) / (track.contact_time[following] - left), 0.0), 1.0)
-    ball, yaw, normal, pitch, flex = swing.sole_at(b, track, last, following, stance, s)
+    ball, yaw, normal, pitch, flex = swing.sole_at(b, track, last, following, s)
     _set(pose.ball, c, leg, ball)
     back = -0.5 * b.foot_length - b.ball_forward
     toe = 0.5 * b.foot_length - b.ball_forward
@@ -156,7 +156,7 @@ def _pose_leg(b, track, support, leg, yaw, t, pose, c):
         elif last < 0:
             toes = _stand(b, track, following, t, pose, c, leg)
         else:
-            s, toes = _fly(b, track, last, following, support[1 - leg], t, pose, c, leg)
+            s, toes = _fly(b, track, last, following, t, pose, c, leg)
             _pull_in(b, hip, s, pose, c, leg)
             swung = swing.bump(s)
     ahead = 0.5 * (yaw + toes)

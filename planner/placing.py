@@ -75,7 +75,7 @@ def _lift(b, w, track, n, m):
     track.lift[m] = 0.0
     for k in range(1, SAMPLES):
         s = k / SAMPLES
-        ball, heading, normal, pitch, flex = swing.sole_at(b, track, n, m, -1, s)
+        ball, heading, normal, pitch, flex = swing.sole_at(b, track, n, m, s)
         rise = swing.bump(s)
         for forward, bend in ((back, pitch), (0.0, 0.0), (ahead, pitch - flex)):
             p = swing.point_of_foot(b, ball, heading, normal, forward, 0.0, bend)

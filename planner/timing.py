@@ -4,7 +4,8 @@ Dynamic similarity (Alexander 1976; coefficient for bipeds by Ruiz & Torices 201
 
     v = 0.226 sqrt(g) S^1.67 h^-1.17,   step time b = s / v,   Froude number Fr = v^2 / (g h)
 
-Duty factor: 0.642 - 0.104 sqrt(Fr) while walking, 0.36 while running, which begins near Fr = 0.5; stance time a = 2 beta b.
+Duty factor: walking_duty - 0.104 sqrt(Fr) while walking (walking_duty is near 0.65), 0.341 while running, which begins near Fr =
+0.5; stance time a = 2 beta b.
 A step longer than the character's leap_length is a leap: its flight is ballistic, t = sqrt(2 d tan(alpha) / g).
 """
 
@@ -15,7 +16,7 @@ from motion.jit import jit
 GRAVITY = 9.81
 RUNS_FROM = 0.5
 """Froude number at which walking gives way to running."""
-RUNNING_DUTY = 0.36
+RUNNING_DUTY = 0.341
 SHORTEST_STEP = 0.75
 LONGEST_STEP = 2.2
 """Step time of a walk in pendulum times sqrt(h / g): shorter is scurrying, longer is dawdling."""
@@ -40,12 +41,20 @@ def speed(length, hip_height):
 
 
 @jit
-def duty_factor(froude, smoothness):
-    """Share of the stride that a foot stands; smoothness 0 changes to the run abruptly, 1 over a wide range."""
-    walking = max(0.642 - 0.104 * sqrt(froude), RUNNING_DUTY)
+def duty_factor(froude, smoothness, slowest):
+    """Share of the stride that a foot stands; smoothness 0 changes to the run abruptly, 1 over a wide range; slowest: the
+    share at the slowest walk."""
+    walking = max(slowest - 0.104 * sqrt(froude), RUNNING_DUTY)
     width = 0.02 + 0.25 * smoothness
     running = 1 / (1 + exp(-min(max((froude - RUNS_FROM) / width * 4, -50.0), 50.0)))
     return walking + running * (RUNNING_DUTY - walking)
+
+
+@jit
+def nominal_length(b, length, step_time):
+    """Comfortable virtual leg [m] at a step of this length [m] in this time [s]: shorter the faster, in proportion to Froude."""
+    froude = (length / step_time) ** 2 / (GRAVITY * b.hip_height)
+    return b.nominal_length * (1 - b.run_crouch * min(froude, 1.0))
 
 
 @jit
@@ -74,7 +83,7 @@ def step_timing(b, length, rise, turn, same_side):
     v = speed(max(length, 1e-3), b.hip_height)
     step = min(max(length / v, SHORTEST_STEP * unit), LONGEST_STEP * unit) * slower
     froude = (length / step) ** 2 / (GRAVITY * b.hip_height)
-    return step, _snap(step, 2 * duty_factor(froude, b.gait_smoothness) * step)
+    return step, _snap(step, 2 * duty_factor(froude, b.gait_smoothness, b.walking_duty) * step)
 
 
 @jit

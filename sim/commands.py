@@ -7,9 +7,10 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
-from motion.biped import CharacterError, load_biped
+from motion.biped import CharacterError, character_names, load_biped
 from planner.rock_hop import NoWay, RockHop
 from planner.wandering import Wander
+from sim import literature, timings
 from sim.cast import Cast
 from sim.measure import in_words, measure
 from sim.performance import Performance
@@ -34,6 +35,8 @@ def run(options) -> int:
         "play": _play,
         "sheets": _sheets,
         "measure": _measure,
+        "timing": _timing,
+        "literature": _literature,
         "check": _check,
         "bench": _bench,
     }
@@ -165,8 +168,40 @@ def _tell(options, summary: dict, files: list[str]) -> None:
 
 
 def _measure(options) -> int:
-    report = measure(load_recording(options.recording))
+    recording = load_recording(options.recording)
+    _writable(options.plot)
+    report = measure(recording)
+    if options.plot:
+        _plots().plot_run(recording, options.character_index, options.plot, options.between)
     print(json.dumps(report) if options.json else in_words(report))
+    return DONE
+
+
+def _timing(options) -> int:
+    """The automatic timing as a table, numbers or a figure."""
+    _writable(options.plot)
+    bipeds = [load_biped(name) for name in ([options.character] if options.character else character_names())]
+    tables = {biped.name: timings.timing_table(biped) for biped in bipeds}
+    if options.plot:
+        _plots().plot_timings(tables, options.plot)
+    if options.json or not options.plot:
+        print(json.dumps(tables) if options.json else timings.in_words(tables))
+    return DONE
+
+
+def _plots():
+    """sim.plots, where there is matplotlib."""
+    try:
+        from sim import plots
+    except ImportError as error:
+        raise InputError(f"--plot: figures need matplotlib (pip install matplotlib, or the extra `plots`): {error}") from None
+    return plots
+
+
+def _literature(options) -> int:
+    """The human beside people; a figure that does not fit is no error of the command."""
+    rows = literature.compare()
+    print(json.dumps(literature.as_dict(rows)) if options.json else literature.in_words(rows))
     return DONE
 
 

@@ -48,6 +48,10 @@ class Recorder:
             "meta": np.array(json.dumps(self._meta(), sort_keys=True)),
         }
 
+    def recording(self) -> "Recording":
+        """What has been collected so far, as `load_recording` would read it."""
+        return Recording(self.arrays(), self._meta())
+
     def _meta(self) -> dict:
         sim = self.sim
         packages = {name: version(name) for name in ("numpy", "numba")}

@@ -66,7 +66,6 @@ def _write(crowd, bipeds, c, n, f):
     crowd.normal[c, n, 0], crowd.normal[c, n, 1], crowd.normal[c, n, 2] = f.nx, f.ny, f.nz
     crowd.rock[c, n] = f.rock
     crowd.stands[c, n] = f.stands
-    crowd.nominal_length[c, n] = b.nominal_length
     crowd.facing[c, n] = 0.0
     _roll(crowd, c, n, f.stands)
     step, stance = _timing(crowd, b, c, n, f)
@@ -85,14 +84,20 @@ def _roll(crowd, c, n, stands):
 
 
 @jit
+def _length(crowd, c, n):
+    """Horizontal length of the step to footprint n [m]."""
+    p, q = crowd.position[c, n - 1], crowd.position[c, n]
+    return ((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2) ** 0.5
+
+
+@jit
 def _timing(crowd, b, c, n, f):
     """(step time, stance time) of footprint n - 1 from the step to footprint n (paper, section 4.1)."""
     if f.stands:
         return f.wait, f.wait + plan.START_OVERLAP * timing.pendulum_time(b)
-    p, q = crowd.position[c, n - 1], crowd.position[c, n]
-    length = ((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2) ** 0.5
+    rise = crowd.position[c, n, 2] - crowd.position[c, n - 1, 2]
     turn = abs(crowd.heading[c, n] - crowd.heading[c, n - 1])
-    step, stance = timing.step_timing(b, length, q[2] - p[2], turn, f.side == crowd.side[c, n - 1])
+    step, stance = timing.step_timing(b, _length(crowd, c, n), rise, turn, f.side == crowd.side[c, n - 1])
     overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
     longer = max(timing.least_step_time(b, overlap) - step, 0.0)
     return step + longer, stance + longer
@@ -100,7 +105,7 @@ def _timing(crowd, b, c, n, f):
 
 @jit
 def _time(crowd, b, c, n, stands, step, stance):
-    """Sets the timing of footprint n - 1, and the same as a first guess for n's own."""
+    """Sets the timing of footprint n - 1, and the same as a first guess for n's own; legs over n are as long as the pace asks."""
     if stands:
         crowd.stance_time[c, n - 2] = crowd.contact_time[c, n - 1] + step - crowd.contact_time[c, n - 2]
         crowd.roll[c, n - 2, 1] = 0.5
@@ -109,6 +114,7 @@ def _time(crowd, b, c, n, stands, step, stance):
     crowd.contact_time[c, n] = crowd.contact_time[c, n - 1] + step
     crowd.step_time[c, n] = step
     crowd.stance_time[c, n] = stance
+    crowd.nominal_length[c, n] = timing.nominal_length(b, 0.0 if stands else _length(crowd, c, n), step)
 
 
 @jit

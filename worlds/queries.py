@@ -2,6 +2,8 @@
 
 from math import atan2, cos, floor, hypot, sin, sqrt
 
+import numpy as np
+
 from motion.jit import jit
 from worlds.arrays import CELL, FLAT, HEIGHTMAP, HILLS, REACH, SPIRAL_STAIRS, STAIRS
 
@@ -141,6 +143,15 @@ def ground_height(w, x, y):
     rock = rock_under(w, x, y, 0.0)
     height = terrain_height(w, x, y)
     return max(height, w.rocks[rock, 3]) if rock >= 0 else height
+
+
+@jit
+def ground_heights(w, points):
+    """ground_height (N,) below points (N, 3)."""
+    out = np.empty(len(points))
+    for i in range(len(points)):
+        out[i] = ground_height(w, points[i, 0], points[i, 1])
+    return out
 
 
 @jit

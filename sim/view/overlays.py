@@ -7,12 +7,6 @@ from motion.spline import evaluate
 from sim.cast import Cast
 from sim.view.clay import Clay
 
-COLOURS = {
-    phases.RIGHT_STANCE: (0.90, 0.12, 0.12),
-    phases.LEFT_STANCE: (0.92, 0.18, 0.85),
-    phases.DOUBLE_STANCE: (0.10, 0.14, 0.55),
-    phases.FLIGHT: (0.55, 0.80, 0.98),
-}
 TANGENT, HANDLE, DAGGER = (0.15, 0.80, 0.25), (0.98, 0.80, 0.25), (0.88, 0.10, 0.10)
 PIECES = 6
 """Straight pieces drawn per segment."""
@@ -27,7 +21,7 @@ def overlays(clay: Clay, sim: Cast, character: int) -> None:
         points, scratch = np.empty((len(ts), 3)), np.empty((2, 3))
         for k, t in enumerate(ts):
             evaluate(time, control, min(t, time[i + 1] - 1e-9), points[k], scratch[0], scratch[1])
-        colour = COLOURS[phases.phase_of(left, right)]
+        colour = phases.COLOURS[phases.phase_of(left, right)]
         clay.add(points[:-1], 0.011 * size, points[1:], 0.011 * size, colour, 1.0)
     if len(control):
         clay.ball(control[:, :3], 0.022 * size, TANGENT, 1.0)

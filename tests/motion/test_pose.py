@@ -85,7 +85,7 @@ def test_swing_starts_and_ends_on_its_footprints():
     b = load_biped("human").record
     track = straight_walk(b)
     for s, n in ((0.0, 3), (1.0, 5)):
-        ball, yaw, _, pitch, flex = swing.sole_at(b, track, 3, 5, 4, s)
+        ball, yaw, _, pitch, flex = swing.sole_at(b, track, 3, 5, s)
         np.testing.assert_allclose(
             ball, foot.along_sole(track.position[n], track.heading[n], track.normal[n], b.ball_forward, 0.0), atol=1e-12
         )

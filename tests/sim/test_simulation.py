@@ -11,7 +11,7 @@ from planner.timing import step_timing
 from planner.wandering import Wander
 from sim.commands import make_simulation
 from sim.measure import measure
-from sim.recording import Recorder, Recording, load_recording
+from sim.recording import Recorder, load_recording
 from sim.simulation import Simulation
 from worlds.level import load_level
 
@@ -29,7 +29,7 @@ def recorded(sim, seconds):
 
 
 def report_of(recorder):
-    return measure(Recording(recorder.arrays(), recorder._meta()))["worst"]
+    return measure(recorder.recording())["worst"]
 
 
 @pytest.mark.parametrize("character", CHARACTERS)
