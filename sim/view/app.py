@@ -5,7 +5,7 @@ import time as clock
 
 import numpy as np
 
-from sim.cast import Cast
+from sim.cast import MOST_TICKS, Cast
 from sim.view import gl, picking
 from sim.view.camera import Camera
 from sim.view.plan_view import draw_plan
@@ -13,8 +13,6 @@ from sim.view.trail import Trail
 from worlds.errors import InputError
 
 FRAME = 1 / 60
-MOST_TICKS = 6
-"""Ticks made up for in one frame after a stall; the rest of the backlog is dropped."""
 CHARACTERS = ("bird", "dinosaur", "human")
 STILL = 4
 """A press and release no more than so many pixels apart is a click, else a drag."""

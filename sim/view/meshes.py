@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from motion.jit import jit
-from worlds.queries import terrain_height, tree_clearance, water_clearance
+from worlds.queries import survey, terrain_height
 from worlds.world import World
 
 GRASS, MOSS, SAND = np.array([0.47, 0.53, 0.29]), np.array([0.36, 0.44, 0.25]), np.array([0.74, 0.68, 0.48])
@@ -58,14 +57,6 @@ def _triangles(points: np.ndarray, colour: np.ndarray) -> np.ndarray:
     return np.hstack([points, flat_normals(points), np.broadcast_to(colour, points.shape)])
 
 
-@jit
-def _survey(w, xy, out):
-    """Fills out (N, 3): height of the ground, clearance to water and to trees at xy (N, 2)."""
-    for i in range(len(xy)):
-        x, y = xy[i, 0], xy[i, 1]
-        out[i, 0], out[i, 1], out[i, 2] = terrain_height(w, x, y), water_clearance(w, x, y), tree_clearance(w, x, y)
-
-
 def ground(world: World, cells: int = 150) -> tuple[np.ndarray, np.ndarray]:
     """The terrain, wide beyond the border, coloured by moss, and by sand along the water; hollowed under it.
 
@@ -77,7 +68,7 @@ def ground(world: World, cells: int = 150) -> tuple[np.ndarray, np.ndarray]:
         xs, ys = (np.linspace(-SKIRT, size + SKIRT, 2 * cells) for size in world.size)
     xy = np.stack(np.meshgrid(xs, ys), axis=-1)
     found = np.empty((xy.shape[0] * xy.shape[1], 3))
-    _survey(world.arrays, np.ascontiguousarray(xy.reshape(-1, 2)), found)
+    survey(world.arrays, np.ascontiguousarray(xy.reshape(-1, 2)), found)
     height, wet, shade = np.moveaxis(found.reshape(*xy.shape[:2], 3), 2, 0)
     height = height - 0.35 * np.clip(-wet / 0.6, 0, 1) * (wet < 0)
     patch = 0.5 + 0.25 * (np.sin(0.9 * xy[..., 0] + 0.5 * xy[..., 1]) + np.sin(1.7 * xy[..., 1] - 0.6 * xy[..., 0]))
