@@ -80,7 +80,7 @@ def dinosaur(clay: Clay, biped: Biped, pose: Pose, distant: bool) -> None:
     chest, u = _frame(biped, pose)
     clay.add(chest.at(-0.14, 0, 0.02), 0.215 * u, chest.at(0.34, 0, 0.05), 0.19 * u, main)
     half = pose.tail.shape[1] // 2
-    clay.add(pose.tail[:, 0], 0.19 * u, pose.tail[:, half], 0.09 * u, main)
+    clay.add(pose.tail[:, 0], 0.19 * u, pose.tail[:, -2 if distant else half], (0.05 if distant else 0.09) * u, main)
     clay.add(pose.neck, 0.165 * u, pose.head, 0.13 * u, main)
     clay.add(pose.head, 0.13 * u, pose.head + 0.26 * u * chest.forward, 0.09 * u, main)
     if distant:

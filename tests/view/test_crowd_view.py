@@ -64,24 +64,35 @@ def test_detail_follows_the_size_on_screen():
     assert detail.level_of(np.array(detail.PIXELS) - 0.1).tolist() == [detail.REDUCED, detail.FAR, detail.DISTANT]
 
 
-def test_only_who_is_seen_is_modelled_and_every_level_shows_the_body(sim):
+def test_only_who_is_seen_is_modelled(sim):
     com = sim.com()
     shown = bodies.Bodies()
     camera = Camera(target=com[0].copy(), distance=4.0)
     shown.model(sim, sim.time, camera.matrix(1.6), 540)
     seen = detail.in_view(camera.matrix(1.6), com, 0.0)
     assert seen.sum() <= shown.levels.sum() < len(com) and shown.levels[detail.FULL] >= 1
-    reaches, counts = {}, {}
-    for height in (4000, 700, 300, 90):
-        shown.model(sim, sim.time, Camera(target=com[0].copy(), distance=16.0, elevation=0.1).matrix(1.6), height)
-        level = int(np.flatnonzero(shown.levels).min())
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_level_shows_the_whole_body_in_fewer_shapes(kind):
+    alone = Simulation(load_level("forest"), [load_biped(kind)], Wander(), 3)
+    for _ in range(200):
+        alone.tick()
+    shown, low, high, counts = bodies.Bodies(), [], [], []
+    view = Camera(target=alone.com()[0].copy(), distance=8.0).matrix(1.6)
+    for level, wanted in enumerate((200.0, 80.0, 30.0, 8.0)):
+        at_one = detail.pixels(view, alone.com(), np.full(1, 1.9 * alone.bipeds["nominal_length"][0]), 1)[0]
+        shown.model(alone, alone.time, view, int(wanted / at_one))
+        assert shown.levels.tolist() == np.eye(4)[level].tolist()
         rows = np.vstack([clay.rows() for clay in (shown.fine, shown.coarse, shown.flat)])
-        mine = rows[np.linalg.norm(rows[:, :3] - com[0], axis=1) < 0.9]
-        counts[level] = len(rows) / shown.levels.sum()
-        reaches[level] = mine[:, 2].max() - mine[:, 2].min()
-    assert sorted(counts) == [detail.FULL, detail.REDUCED, detail.FAR, detail.DISTANT]
-    assert counts[0] > 1.3 * counts[1] > 1.6 * counts[2] > 2.4 * counts[3]
-    assert max(reaches.values()) < 1.35 * min(reaches.values())
+        counts.append(len(rows))
+        ends = np.vstack([rows[:, :4], rows[:, 4:8]])
+        low.append((ends[:, :3] - ends[:, 3:]).min(axis=0))
+        high.append((ends[:, :3] + ends[:, 3:]).max(axis=0))
+    assert (np.diff(counts) < 0).all() and counts[2] < 0.5 * counts[0] and counts[3] <= 6
+    size = high[0] - low[0]
+    for a, b in zip(low[1:], high[1:], strict=True):
+        assert (np.abs(a - low[0]) < 0.22 * size.max()).all() and (np.abs(b - high[0]) < 0.22 * size.max()).all()
 
 
 def test_footprints_as_instances_are_the_old_triangles(picture, sim):
@@ -98,6 +109,7 @@ def test_footprints_as_instances_are_the_old_triangles(picture, sim):
         instances = picture.ctx.buffer(np.ascontiguousarray(rows))
         content = [(corners, "2f", "in_outline"), (instances, "4f 3f 4x/i", "place", "lie")]
         found = picture.ctx.buffer(reserve=24 * 3 * len(outline) * len(rows))
+        picture.target.use()
         picture.ctx.vertex_array(program, content).transform(found, instances=len(rows))
         assert np.frombuffer(found.read(), "f4").reshape(-1, 6) == pytest.approx(wanted, abs=2e-5)
 
