@@ -12,6 +12,8 @@ SHADOW = 1.0
 """Bodies this far [m] outside the view are drawn too: their shadows reach into it."""
 SMALLEST = 0.09
 """Parts that reach less than this, in units of the nominal leg, are left out of a REDUCED body."""
+THIN = 0.1
+"""Parts of a REDUCED body with less than this radius, in the same units, are flat shapes turned to the eye."""
 VARIETY = 0.16
 """By how much characters differ in brightness, and as much in each colour."""
 
@@ -20,7 +22,8 @@ class Bodies:
     """The clay of a cast: `fine` for bodies that are near, `coarse`, and `flat` for those far away."""
 
     def __init__(self) -> None:
-        self.fine, self.coarse, self.flat = Clay(), Clay(), Clay()
+        self.fine, self.flat = Clay(), Clay()
+        self.coarse = Clay(thinner=self.flat)
         self.levels = np.zeros(4, np.int64)
         """Bodies drawn in the last frame, by level of detail."""
         self._sim: Cast | None = None
@@ -44,14 +47,15 @@ class Bodies:
     def _add(self, biped: Biped, level: int, some: np.ndarray, rows: np.ndarray, pose: Pose) -> None:
         """Models `some` of the rows of a pose, all of one kind and level."""
         clay = self.fine if level == detail.FULL else self.coarse if level == detail.REDUCED else self.flat
-        clay.smallest = SMALLEST * float(biped.record.nominal_length) if level == detail.REDUCED else 0.0
-        clay.tint = self._tint[rows[some]]
+        unit = float(biped.record.nominal_length) if level == detail.REDUCED else 0.0
+        clay.smallest, clay.thin, clay.tint = SMALLEST * unit, THIN * unit, self._tint[rows[some]]
         plan, part = biped.body.get("plan", "human"), Pose(*(array[some] for array in pose))
         if level in (detail.FULL, detail.REDUCED):
             plans.PLANS.get(plan, plans.human)(clay, biped, part)
         else:
             figures.FIGURES.get(plan, figures.human)(clay, biped, part, level == detail.DISTANT)
-        clay.smallest, clay.tint = 0.0, None
+        for clay in (self.fine, self.coarse, self.flat):
+            clay.smallest, clay.thin, clay.tint = 0.0, 0.0, None
 
     def _meet(self, sim: Cast) -> None:
         """What stays the same from frame to frame: kinds, sizes and colours."""

@@ -8,22 +8,27 @@ COLUMNS = 12
 class Clay:
     """Collects capsules of many characters at once: every argument is per character, (C, ...), or one for all.
 
-    Parts that reach less than `smallest` [m] are left out. `tint` (C, 3), if set, colours each character a little differently.
-    The array is kept from frame to frame and only grows.
+    Parts that reach less than `smallest` [m] are left out, and those thinner than `thin` [m] go to the clay `thinner`.
+    `tint` (C, 3), if set, colours each character a little differently. The array is kept from frame to frame and only grows.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, thinner: "Clay | None" = None) -> None:
+        self.thinner, self.thin = thinner, 0.0
         self._rows, self._count = np.empty((1024, COLUMNS), "f4"), 0
         self.smallest: float = 0.0
         self.tint: np.ndarray | None = None
 
     def clear(self) -> None:
         """Begins a frame."""
-        self._count, self.smallest, self.tint = 0, 0.0, None
+        self._count, self.smallest, self.thin, self.tint = 0, 0.0, 0.0, None
 
     def add(self, a: np.ndarray, ra: float, b: np.ndarray, rb: float, colour, glow: float = 0.0) -> None:
         """Capsules from a (C, 3) with radius ra to b (C, 3) with radius rb [m]."""
         if self.smallest and len(a) and float(np.linalg.norm(a[0] - b[0])) + ra + rb < self.smallest:
+            return
+        if self.thinner and max(ra, rb) < self.thin:
+            self.thinner.tint = self.tint
+            self.thinner.add(a, ra, b, rb, colour, glow)
             return
         end = self._count + len(a)
         if end > len(self._rows):
