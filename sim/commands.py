@@ -93,8 +93,7 @@ def _walk(options) -> int:
     def make(level=options.level, character=options.character, seed=options.seed) -> Simulation:
         return make_simulation(level, character, options.characters, seed, options.command == "river")
 
-    levels = [name for name in level_names() if (load_level(name).goal is not None) == (options.command == "river")]
-    return _show(options, make, levels)
+    return _show(options, make, level_names(with_goal=options.command == "river"))
 
 
 def _show(options, make, names: list[str]) -> int:
