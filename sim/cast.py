@@ -14,8 +14,6 @@ from worlds.queries import rock_under
 from worlds.world import World
 
 TICK_RATE = 60
-MOST_TICKS = 6
-"""Ticks that a frame makes up for after a stall; the rest of the backlog is dropped."""
 
 
 class Cast:

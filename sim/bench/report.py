@@ -11,7 +11,6 @@ import numpy as np
 from motion.biped import load_biped
 from planner.wandering import Wander
 from sim.bench import live, solver
-from sim.cast import MOST_TICKS
 from sim.simulation import Simulation
 from worlds.level import load_level
 from worlds.world import World
@@ -69,10 +68,11 @@ def startup(runs: int) -> float:
 
 
 def frames(n: int, count: int) -> float | None:
-    """Frames per second at 960x540 in memory, at the quality a window starts with in software, ticks in real time included.
+    """Frames per second at 960x540 in memory, at the quality a window starts with in software, its ticks included.
 
     One character: the default demo. More: n wanderers in the same forest, all of them in view.
     """
+    from sim.view.app import tick_for
     from sim.view.gl import NoGL
     from sim.view.offscreen import Picture
     from sim.view.quality import LEVELS, SOFTWARE_LEVEL
@@ -88,8 +88,7 @@ def frames(n: int, count: int) -> float | None:
     seconds = [1 / 60]
     for _ in range(count):
         begin = perf_counter()
-        for _ in range(min(max(round(seconds[-1] * sim.tick_rate), 1), MOST_TICKS)):
-            sim.tick()
+        tick_for(sim, max(round(seconds[-1] * sim.tick_rate), 1))
         picture.frame(sim) if n == 1 else picture.shoot(sim, 0, sim.time)
         seconds.append(perf_counter() - begin)
     return 1 / median(seconds[5:])

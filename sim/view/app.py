@@ -5,7 +5,7 @@ import time as clock
 
 import numpy as np
 
-from sim.cast import MOST_TICKS, Cast
+from sim.cast import Cast
 from sim.view import gl, picking
 from sim.view.camera import Camera
 from sim.view.plan_view import draw_plan
@@ -13,6 +13,9 @@ from sim.view.trail import Trail
 from worlds.errors import InputError
 
 FRAME = 1 / 60
+MOST_TICKS, TICKING = 6, 0.05
+"""Ticks that a frame makes up for after a stall, and seconds that it gives them; the rest of the backlog is dropped, so that
+a crowd too large for real time slows down instead of stopping the pictures."""
 CHARACTERS = ("bird", "dinosaur", "human")
 STILL = 4
 """A press and release no more than so many pixels apart is a click, else a drag."""
@@ -23,6 +26,15 @@ HELP = (
     "a  everyone         left, right, or a click on it: the character to follow",
     "drag: orbit   wheel: zoom   G+click: goal   T+click: tree   K+click: rock   X+click: remove",
 )
+
+
+def tick_for(sim: Cast, ticks: int, seconds: float = TICKING) -> int:
+    """Lets the simulation tick, at most MOST_TICKS and not much longer than `seconds` of wall time; returns how often."""
+    begin, done = clock.perf_counter(), 0
+    while done < min(ticks, MOST_TICKS) and (done == 0 or clock.perf_counter() - begin < seconds):
+        sim.tick()
+        done += 1
+    return done
 
 
 class App:
@@ -36,7 +48,7 @@ class App:
         self.paused, self.speed, self.running = False, 1.0, True
         self.show_overlays, self.show_panel, self.show_help = True, True, False
         self.focus, self.behind, self.message = 0, 0.0, ""
-        self.in_view = 0
+        self.in_view, self.ticking = 0, TICKING
         self.pressed: tuple[int, int] | None = None
         self._tool: str | None = None
         self._reset_view()
@@ -56,9 +68,7 @@ class App:
         if self.paused:
             return
         self.behind += seconds * self.speed * self.sim.tick_rate
-        for _ in range(min(int(self.behind), MOST_TICKS, self.ticks_left())):
-            self.sim.tick()
-            self.behind -= 1
+        self.behind -= tick_for(self.sim, min(int(self.behind), self.ticks_left()), self.ticking)
         self.behind = min(self.behind, 1.0)
 
     def ticks_left(self) -> int:
