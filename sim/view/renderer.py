@@ -17,6 +17,14 @@ SUN = np.array([0.48, 0.34, 0.81]) / np.linalg.norm([0.48, 0.34, 0.81])
 SUN_FAR = 1e4
 MESH = ("3f 3f 3f", "in_position", "in_normal", "in_colour")
 CLAY = ("4f 4f 4f/i", "a", "b", "paint")
+LIT = {
+    "mesh": (shaders.MESH_VERTEX, shaders.MESH_FRAGMENT),
+    "tree": (shaders.TREE_VERTEX, shaders.TREE_FRAGMENT),
+    "print": (shaders.PRINT_VERTEX, shaders.MESH_FRAGMENT),
+    "clay": (shaders.CAPSULE_VERTEX, shaders.CAPSULE_FRAGMENT),
+    "water": (shaders.MESH_VERTEX, shaders.WATER_FRAGMENT),
+}
+"""Vertex and fragment shaders of what the sun lights."""
 PRINT = ("4f 4f/i", "place", "lie")
 HAZE = 75.0
 """Distance [m] over which things fade; from far away they fade later, so that an overview stays clear."""
@@ -29,7 +37,9 @@ class Renderer:
 
     def __init__(self, ctx: moderngl.Context, quality: Quality | None = None) -> None:
         self.ctx, self.quality = ctx, quality or Quality()
-        self._programs()
+        self._lit: dict[int, dict[str, moderngl.Program]] = {}
+        self._depth = {name: self._program(LIT[name][0], shaders.DEPTH_FRAGMENT) for name in ("mesh", "tree", "clay")}
+        self.sky = self._program(shaders.SKY_VERTEX, shaders.SKY_FRAGMENT)
         self.corners = ctx.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4"))
         self._sky = ctx.vertex_array(self.sky, self.corners, "in_corner")
         self.bodies = bodies.Bodies()
@@ -46,19 +56,16 @@ class Renderer:
         self._static: dict[str, Mesh] = {}
         self.show_overlays = True
 
-    def _programs(self) -> None:
-        def program(vertex: str, fragment: str) -> moderngl.Program:
-            return self.ctx.program(vertex_shader=vertex, fragment_shader=fragment)
+    def _program(self, vertex: str, fragment: str, shadows: int = 0) -> moderngl.Program:
+        head = f"{shaders.VERSION}#define SHADOWS {shadows}\n"
+        return self.ctx.program(vertex_shader=head + vertex, fragment_shader=head + fragment)
 
-        self.mesh = program(shaders.MESH_VERTEX, shaders.MESH_FRAGMENT)
-        self.tree = program(shaders.TREE_VERTEX, shaders.TREE_FRAGMENT)
-        self.print = program(shaders.PRINT_VERTEX, shaders.MESH_FRAGMENT)
-        self.clay = program(shaders.CAPSULE_VERTEX, shaders.CAPSULE_FRAGMENT)
-        self.wet = program(shaders.MESH_VERTEX, shaders.WATER_FRAGMENT)
-        self.sky = program(shaders.SKY_VERTEX, shaders.SKY_FRAGMENT)
-        self.mesh_depth = program(shaders.MESH_VERTEX, shaders.DEPTH_FRAGMENT)
-        self.tree_depth = program(shaders.TREE_VERTEX, shaders.DEPTH_FRAGMENT)
-        self.clay_depth = program(shaders.CAPSULE_VERTEX, shaders.DEPTH_FRAGMENT)
+    def _lit_programs(self) -> dict[str, moderngl.Program]:
+        """Programs for the quality's shadows, made when they are first needed."""
+        samples = self.quality.shadow_samples if self.quality.shadow_size else 0
+        if samples not in self._lit:
+            self._lit[samples] = {name: self._program(*pair, samples) for name, pair in LIT.items()}
+        return self._lit[samples]
 
     def _upload(self, name: str, vertices: np.ndarray, indices: np.ndarray | None = None) -> None:
         if name in self._static:
@@ -89,19 +96,20 @@ class Renderer:
         target.use()
         self.ctx.viewport = (0, 0, target.width, target.height)
         target.clear(0.7, 0.8, 0.9)
-        for program in (self.mesh, self.tree, self.print, self.clay, self.wet, self.sky):
+        lit = self._lit_programs()
+        for program in (*lit.values(), self.sky):
             self._uniforms(program, view, sun, camera, time)
         unit = float(sim.bipeds["nominal_length"][sim.crowd.kind[focus]])
-        _set(self.tree, "focus", np.array([*self._focus_com, 1.3 * unit], "f4").tobytes())
+        _set(lit["tree"], "focus", np.array([*self._focus_com, 1.3 * unit], "f4").tobytes())
         for mesh in self._clay.values():
-            self._draw_clay(self.clay, mesh, mesh)
-        self._forest.draw(self.tree)
-        self._draw_static("rocks", self.mesh)
+            self._draw_clay(lit["clay"], mesh, mesh)
+        self._forest.draw(lit["tree"])
+        self._draw_static("rocks", lit["mesh"])
         for prints in self._prints:
-            prints.draw(self.print)
-        self._draw_static("ground", self.mesh)
+            prints.draw(lit["print"])
+        self._draw_static("ground", lit["mesh"])
         self.ctx.disable(moderngl.CULL_FACE)
-        self._draw_static("water", self.wet)
+        self._draw_static("water", lit["water"])
         self._sky.render()
 
     def _prepare(self, sim: Cast, time: float, view: np.ndarray, height: int, focus: int) -> None:
@@ -147,14 +155,14 @@ class Renderer:
         self._shadow_target.use()
         self.ctx.viewport = (0, 0, size, size)
         self._shadow_target.clear()
-        for program in (self.mesh_depth, self.tree_depth, self.clay_depth):
+        for program in self._depth.values():
             _set(program, "view_projection", sun.T.astype("f4").tobytes())
             _set(program, "eye", (SUN_FAR * SUN).astype("f4").tobytes())
-        self._draw_static("rocks", self.mesh_depth)
-        self._forest.draw(self.tree_depth)
+        self._draw_static("rocks", self._depth["mesh"])
+        self._forest.draw(self._depth["tree"])
         for mesh in (self._clay["coarse"], self._clay["flat"]):
-            self._draw_clay(self.clay_depth, mesh, self._clay["flat"])
-        self._draw_clay(self.clay_depth, self._clay["fine"], self._clay["coarse"])
+            self._draw_clay(self._depth["clay"], mesh, self._clay["flat"])
+        self._draw_clay(self._depth["clay"], self._clay["fine"], self._clay["coarse"])
 
     def _uniforms(self, program, view, sun, camera: Camera, time: float) -> None:
         _set(program, "view_projection", view.T.astype("f4").tobytes())
@@ -164,7 +172,6 @@ class Renderer:
         _set(program, "sun", SUN.astype("f4").tobytes())
         _set(program, "time", np.float32(time).tobytes())
         _set(program, "haze", np.float32(max(HAZE, 1.8 * camera.distance)).tobytes())
-        _set(program, "shadows", np.float32(self.quality.shadow_samples if self.quality.shadow_size else 0).tobytes())
         if self.shadow:
             self.shadow.use(0)
 

@@ -1,7 +1,11 @@
-"""Shaders: one light, one shadow map, one fog for everything."""
+"""Shaders: one light, one shadow map, one fog for everything.
 
+SHADOWS, the samples of the shadow map per point, is set when a program is made: a processor that draws runs both sides of an
+`if`, so what a quality does without must not be in its program.
+"""
+
+VERSION = "#version 330\n"
 COMMON = """
-#version 330
 uniform mat4 view_projection;
 uniform mat4 sun_projection;
 uniform vec3 eye;
@@ -12,28 +16,33 @@ uniform float haze;                     // distance over which things fade [m]
 
 LIGHT = """
 uniform sampler2DShadow shadow_map;
-uniform float shadows;                  // samples per point: 0 without shadows, 1, or 4 for soft edges
 vec3 sky_colour(vec3 d) {
     vec3 sky = mix(vec3(0.86, 0.90, 0.92), vec3(0.36, 0.58, 0.85), sqrt(clamp(d.z, 0.0, 1.0)));
     float glow = max(dot(d, sun), 0.0);
     glow *= glow; glow *= glow; glow *= glow;
     return sky + vec3(1.0, 0.85, 0.6) * (0.18 * glow);
 }
+#if SHADOWS == 0
+float lit(vec3 p, float facing) { return 1.0; }
+#else
 float lit(vec3 p, float facing) {
-    if (shadows < 0.5) return 1.0;
-    vec4 q = sun_projection * vec4(p, 1.0);
-    vec3 s = q.xyz * 0.5 + 0.5;
-    if (any(lessThan(s, vec3(0.0))) || any(greaterThan(s, vec3(1.0)))) return 1.0;
+    vec3 s = (sun_projection * vec4(p, 1.0)).xyz * 0.5 + 0.5;
+    vec3 off = abs(s - 0.5);
+    float outside = step(0.5, max(off.x, max(off.y, off.z)));
     s.z -= 0.0006 + 0.0015 * (1.0 - facing);
-    if (shadows < 1.5) return texture(shadow_map, s);
+#if SHADOWS == 1
+    return max(texture(shadow_map, s), outside);
+#else
     float texel = 0.75 / float(textureSize(shadow_map, 0).x);
     vec4 o = vec4(-texel, texel, 0.0, 0.0);
-    return 0.25 * (texture(shadow_map, s + o.xxz) + texture(shadow_map, s + o.xyz)
-        + texture(shadow_map, s + o.yxz) + texture(shadow_map, s + o.yyz));
+    return max(0.25 * (texture(shadow_map, s + o.xxz) + texture(shadow_map, s + o.xyz)
+        + texture(shadow_map, s + o.yxz) + texture(shadow_map, s + o.yyz)), outside);
+#endif
 }
+#endif
 vec3 shade(vec3 colour, vec3 p, vec3 n) {
     float facing = max(dot(n, sun), 0.0);
-    float light = facing > 0.0 ? facing * lit(p, facing) : 0.0;
+    float light = facing * lit(p, facing);
     vec3 ambient = mix(vec3(0.34, 0.31, 0.27), vec3(0.56, 0.63, 0.72), n.z * 0.5 + 0.5);
     vec3 away = p - eye;
     float far = length(away);
@@ -191,4 +200,4 @@ void main() {
 }
 """
 )
-DEPTH_FRAGMENT = "#version 330\nvoid main() {}\n"
+DEPTH_FRAGMENT = "void main() {}\n"

@@ -104,7 +104,7 @@ def test_footprints_as_instances_are_the_old_triangles(picture, sim):
         rows[:, 4] += 0.2
         rows[:, 4:7] /= np.linalg.norm(rows[:, 4:7], axis=1, keepdims=True)
         wanted = reference.footprint_triangles(rows[:, :3], rows[:, 3], rows[:, 4:7], outline)
-        program = picture.ctx.program(vertex_shader=shaders.PRINT_VERTEX, varyings=["p", "n"])
+        program = picture.ctx.program(vertex_shader=shaders.VERSION + shaders.PRINT_VERTEX, varyings=["p", "n"])
         corners = picture.ctx.buffer(outline.reshape(-1, 2).astype("f4"))
         instances = picture.ctx.buffer(np.ascontiguousarray(rows))
         content = [(corners, "2f", "in_outline"), (instances, "4f 3f 4x/i", "place", "lie")]
