@@ -7,7 +7,7 @@ import numpy as np
 NEAR, FAR = 0.1, 400.0
 FARTHEST = 120.0
 """The camera goes no farther away than this [m]."""
-CROWD = 250
+CROWD, CROWD_AWAY = 250, 4.5
 """Characters that the first picture of a crowd shows, the nearest."""
 FIELD_OF_VIEW = np.radians(42.0)
 
@@ -41,9 +41,13 @@ class Camera:
             self.elevation = max(self.elevation, 0.65)
 
     def meet(self, com: np.ndarray, focus: int, nearest: float) -> None:
-        """Looks at a character as `frame` does; where there are others, com (C, 3), from so far that CROWD of them are seen."""
+        """Looks at a character as `frame` does; where there are others, com (C, 3), from so far that CROWD of them are seen.
+
+        It stays near enough, CROWD_AWAY times nearest, to see how they walk.
+        """
         away = np.sort(np.linalg.norm(com - com[focus], axis=1))
         self.frame(com[focus], float(away[: CROWD + 1][-1]), nearest)
+        self.distance = min(self.distance, CROWD_AWAY * nearest)
 
     def zoom(self, clicks: float) -> None:
         """Nearer for positive clicks of the wheel."""
