@@ -71,7 +71,10 @@ def ground(world: World, cells: int = 150) -> tuple[np.ndarray, np.ndarray]:
     survey(world.arrays, np.ascontiguousarray(xy.reshape(-1, 2)), found)
     height, wet, shade = np.moveaxis(found.reshape(*xy.shape[:2], 3), 2, 0)
     height = height - 0.35 * np.clip(-wet / 0.6, 0, 1) * (wet < 0)
-    patch = 0.5 + 0.25 * (np.sin(0.9 * xy[..., 0] + 0.5 * xy[..., 1]) + np.sin(1.7 * xy[..., 1] - 0.6 * xy[..., 0]))
+    x, y = xy[..., 0], xy[..., 1]
+    bent = x + 2.3 * np.sin(0.31 * y + 1.1 * np.sin(0.07 * x)), y + 2.7 * np.sin(0.23 * x + 0.9)  # so that no grid shows
+    patch = 0.5 + 0.2 * (np.sin(0.9 * bent[0] + 0.5 * bent[1]) + np.sin(1.7 * bent[1] - 0.6 * bent[0]))
+    patch += 0.25 * np.sin(0.17 * bent[0] - 0.11 * bent[1] + 1.3) * np.sin(0.09 * bent[0] + 0.19 * bent[1])
     patch = np.clip(patch + 0.5 * np.clip(1 - shade / 1.2, 0, 1), 0, 1)[..., None]
     sandy = np.clip(1 - wet / 0.8, 0, 1)[..., None]
     colours = (GRASS + patch * (MOSS - GRASS)) * (1 - sandy) + sandy * SAND
