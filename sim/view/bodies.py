@@ -1,5 +1,7 @@
 """Bodies of all characters in view, each in the detail that can be seen: culled, posed, modelled, kind by kind."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from motion.biped import Biped
@@ -14,8 +16,11 @@ SMALLEST = 0.09
 """Parts that reach less than this, in units of the nominal leg, are left out of a REDUCED body."""
 THIN = 0.1
 """Parts of a REDUCED body with less than this radius, in the same units, are flat shapes turned to the eye."""
-VARIETY = 0.16
-"""By how much characters differ in brightness, and as much in each colour."""
+BRIGHTNESS, HUE = 0.16, {"human": 0.5}
+"""By how much characters of one kind differ in brightness, and in the hue of their first two colours [turns]: people dress."""
+LITTLE = 0.025
+"""Difference in hue of all others [turns]."""
+COLOURS = ("main", "second", "skin", "detail")
 
 
 class Bodies:
@@ -48,14 +53,15 @@ class Bodies:
         """Models `some` of the rows of a pose, all of one kind and level."""
         clay = self.fine if level == detail.FULL else self.coarse if level == detail.REDUCED else self.flat
         unit = float(biped.record.nominal_length) if level == detail.REDUCED else 0.0
-        clay.smallest, clay.thin, clay.tint = SMALLEST * unit, THIN * unit, self._tint[rows[some]]
+        clay.smallest, clay.thin = SMALLEST * unit, THIN * unit
+        dressed = replace(biped, body=biped.body | {key: self._colours[key][rows[some]] for key in COLOURS})
         plan, part = biped.body.get("plan", "human"), Pose(*(array[some] for array in pose))
         if level in (detail.FULL, detail.REDUCED):
-            plans.PLANS.get(plan, plans.human)(clay, biped, part)
+            plans.PLANS.get(plan, plans.human)(clay, dressed, part)
         else:
-            figures.FIGURES.get(plan, figures.human)(clay, biped, part, level == detail.DISTANT)
+            figures.FIGURES.get(plan, figures.human)(clay, dressed, part, level == detail.DISTANT)
         for clay in (self.fine, self.coarse, self.flat):
-            clay.smallest, clay.thin, clay.tint = 0.0, 0.0, None
+            clay.smallest, clay.thin = 0.0, 0.0
 
     def _meet(self, sim: Cast) -> None:
         """What stays the same from frame to frame: kinds, sizes and colours."""
@@ -63,9 +69,27 @@ class Bodies:
         self._bipeds = kinds_of(sim)
         self._reach = np.array([_reach(biped) for biped in self._bipeds])[kind]
         self._tall = 1.9 * np.array([float(biped.record.nominal_length) for biped in self._bipeds])[kind]
-        chance = np.random.Generator(np.random.Philox(key=sim.seed)).uniform(-1, 1, (len(kind), 4))
-        self._tint = 1 + VARIETY * (chance[:, :1] + chance[:, 1:])
-        self._tint[0] = 1.0
+        self._colours = _colours([self._bipeds[k] for k in kind], sim.seed)
+
+
+def _colours(bipeds: list[Biped], seed: int) -> dict[str, np.ndarray]:
+    """COLOURS of each character, (C, 3): its file's, varied by chance; the first one's are just those."""
+    chance = np.random.Generator(np.random.Philox(key=seed)).uniform(-1, 1, (len(bipeds), 1 + len(COLOURS)))
+    chance[0] = 0.0
+    hue = 2 * np.pi * np.array([HUE.get(biped.body.get("plan", "human"), LITTLE) for biped in bipeds]) * chance[:, 0]
+    colours = {}
+    for k, key in enumerate(COLOURS):
+        own = np.array([biped.body.get(key, (0.7, 0.7, 0.7)) for biped in bipeds])
+        turned = _turned(own, hue) if k < 2 else own
+        colours[key] = np.clip(turned * (1 + BRIGHTNESS * chance[:, 1 + k : 2 + k]), 0, 1)
+    return colours
+
+
+def _turned(colour: np.ndarray, hue: np.ndarray) -> np.ndarray:
+    """Colours (C, 3) turned about the grey axis by hue (C,) [rad]."""
+    c, s = np.cos(hue)[:, None], np.sin(hue)[:, None] / np.sqrt(3)
+    r, g, b = colour.T
+    return c * colour + (1 - c) * colour.mean(axis=1, keepdims=True) + s * np.column_stack([b - g, r - b, g - r])
 
 
 def kinds_of(sim: Cast) -> list[Biped]:

@@ -9,25 +9,23 @@ class Clay:
     """Collects capsules of many characters at once: every argument is per character, (C, ...), or one for all.
 
     Parts that reach less than `smallest` [m] are left out, and those thinner than `thin` [m] go to the clay `thinner`.
-    `tint` (C, 3), if set, colours each character a little differently. The array is kept from frame to frame and only grows.
+    The array is kept from frame to frame and only grows.
     """
 
     def __init__(self, thinner: "Clay | None" = None) -> None:
         self.thinner, self.thin = thinner, 0.0
         self._rows, self._count = np.empty((1024, COLUMNS), "f4"), 0
         self.smallest: float = 0.0
-        self.tint: np.ndarray | None = None
 
     def clear(self) -> None:
         """Begins a frame."""
-        self._count, self.smallest, self.thin, self.tint = 0, 0.0, 0.0, None
+        self._count, self.smallest, self.thin = 0, 0.0, 0.0
 
     def add(self, a: np.ndarray, ra: float, b: np.ndarray, rb: float, colour, glow: float = 0.0) -> None:
         """Capsules from a (C, 3) with radius ra to b (C, 3) with radius rb [m]."""
         if self.smallest and len(a) and float(np.linalg.norm(a[0] - b[0])) + ra + rb < self.smallest:
             return
         if self.thinner and max(ra, rb) < self.thin:
-            self.thinner.tint = self.tint
             self.thinner.add(a, ra, b, rb, colour, glow)
             return
         end = self._count + len(a)
@@ -35,7 +33,7 @@ class Clay:
             self._rows = np.concatenate([self._rows, np.empty((end, COLUMNS), "f4")])
         rows = self._rows[self._count : end]
         rows[:, 0:3], rows[:, 3], rows[:, 4:7], rows[:, 7] = a, ra, b, rb
-        rows[:, 8:11], rows[:, 11] = colour if self.tint is None else np.asarray(colour) * self.tint, glow
+        rows[:, 8:11], rows[:, 11] = colour, glow
         self._count = end
 
     def ball(self, a: np.ndarray, radius: float, colour, glow: float = 0.0) -> None:

@@ -156,6 +156,16 @@ def test_a_tree_planted_leaves_the_others_alone(picture, sim):
     picture.renderer._world = None
 
 
+def test_the_first_wears_its_files_colours_and_the_others_do_not():
+    biped = load_biped("human")
+    colours = bodies._colours([biped] * 50, 3)
+    for key in bodies.COLOURS:
+        assert colours[key][0] == pytest.approx(biped.body[key]) and colours[key].shape == (50, 3)
+        assert len(np.unique(colours[key].round(6), axis=0)) == 50 and (colours[key] >= 0).all()
+    assert colours["main"].argmax(axis=1).tolist() != [int(np.argmax(biped.body["main"]))] * 50
+    assert (colours["main"] == bodies._colours([biped] * 50, 3)["main"]).all()
+
+
 def test_clay_leaves_out_what_is_too_small():
     clay, one = Clay(), np.zeros((3, 3))
     clay.smallest = 0.1
