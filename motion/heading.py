@@ -65,3 +65,29 @@ def _line(track, i, t):
     span = track.contact_time[i + 1] - track.contact_time[i]
     s = (t - track.contact_time[i]) / span if span > 0 else 0.0
     return _value(track, i) + s * (_value(track, i + 1) - _value(track, i))
+
+
+@jit
+def body_headings(b, track, times, out):
+    """body_heading at many ascending times (k,) into out (k,), in time linear in both.
+
+    The line's integral up to a time, from its integral up to the contact before, is a parabola.
+    """
+    n, window = len(track.side), window_length(b)
+    value, slope, upto = np.empty(n), np.zeros(n), np.zeros(n)
+    for i in range(n):
+        value[i] = _value(track, i)
+        if i > 0:
+            span = track.contact_time[i] - track.contact_time[i - 1]
+            slope[i - 1] = (value[i] - value[i - 1]) / span if span > 0 else 0.0
+            upto[i] = upto[i - 1] + 0.5 * span * (value[i] + value[i - 1])
+    lead, tail = 0, 0
+    for k in range(len(times)):
+        while lead + 1 < n and track.contact_time[lead + 1] <= times[k]:
+            lead += 1
+        while tail + 1 < n and track.contact_time[tail + 1] <= times[k] - window:
+            tail += 1
+        x, y = times[k] - track.contact_time[lead], times[k] - window - track.contact_time[tail]
+        bend = 0.5 * slope[tail] if y > 0 else 0.0
+        above, below = upto[lead] + x * (value[lead] + 0.5 * slope[lead] * x), upto[tail] + y * (value[tail] + bend * y)
+        out[k] = (above - below) / window

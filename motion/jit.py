@@ -40,4 +40,6 @@ os.environ.setdefault("NUMBA_THREADING_LAYER", "workqueue")
 import numba  # noqa: E402  (the cache folder is read at import)
 
 jit = numba.njit(cache=True, error_model="numpy", nogil=True)
+jit_inline = numba.njit(cache=True, error_model="numpy", nogil=True, forceinline=True)
+"""For the few small functions inside the hottest loops: a call would copy its arguments, arrays' headers included."""
 jit_parallel = numba.njit(cache=True, error_model="numpy", nogil=True, parallel=True)

@@ -42,10 +42,10 @@ class Pose(NamedTuple):
     comfort_cost: np.ndarray  # (C,)
 
 
-FREE_REACH = 0.94
-"""Share of its full length up to which a swinging leg goes freely; a standing one reaches for its footprint in any case."""
-ENDS = 0.12
-"""Share of the swing, at either end, over which this sets in."""
+FREE_REACH, FIRM_REACH = 0.93, 0.99
+"""Shares of its full length up to which a swinging leg goes freely: in the middle of its swing, and near the ends."""
+FREE_ENDS = 0.25
+"""Share of the swing, at either end, over which the first gives way to the second."""
 VECTORS = ("hip", "knee", "hock", "ankle", "heel", "ball", "toe")
 _PAIRS = (*VECTORS, "point_of_support", "shoulder", "elbow", "hand")
 _POINTS = ("com", "com_velocity", "com_acceleration", "neck", "head")
@@ -109,27 +109,31 @@ def _fly(b, track, last, following, t, pose, c, leg):
 
 
 @jit
-def _pull_in(b, hip, s, pose, c, leg):
-    """Draws a swinging foot toward its hip where the leg would be nearly as long as it can be.
+def _limited(length, free, full):
+    """A length that is its own up to `free` and comes smoothly to `full`: free + (full - free) (1 - exp(-x)), x = (length -
+    free) / (full - free)."""
+    if length <= free:
+        return length
+    return free + (full - free) * (1 - np.exp((free - length) / (full - free)))
 
-    A leg of length l beyond FREE_REACH of its full one, R, is shortened smoothly to FREE + (R - FREE) (1 - exp(-x)), x = (l -
-    FREE) / (R - FREE). At the ends of the swing the foot is on its footprints, so it leaves and enters this within ENDS; a
-    leg longer than R it never is.
-    """
+
+@jit
+def _leg_length(b, length, s):
+    """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent."""
+    calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
+    if length < b.min_length:
+        return length + calm * (b.min_length - length)
+    near = _limited(length, FIRM_REACH * b.max_length, b.max_length)
+    return near + calm * (_limited(length, FREE_REACH * b.max_length, b.max_length) - near)
+
+
+@jit
+def _keep_in_reach(b, hip, s, pose, c, leg):
+    """Draws a swinging foot along the line to its hip, so that its leg is never longer or more bent than it can be."""
     ankle = pose.ankle[c, leg]
     x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
-    length = np.sqrt(x * x + y * y + z * z)
-    free = FREE_REACH * b.max_length
-    if length < b.min_length:
-        off = 1 - swing.fade(min(s, 1 - s), ENDS)
-        share = -off * (b.min_length - length) / max(length, 1e-6)
-    elif length > free:
-        room = b.max_length - free
-        wanted = free + room * (1 - np.exp((free - length) / room))
-        off = 1 - swing.fade(min(s, 1 - s), ENDS)
-        share = 1 - min(length + off * (wanted - length), b.max_length) / length
-    else:
-        return
+    length = max(np.sqrt(x * x + y * y + z * z), 1e-6)
+    share = 1 - _leg_length(b, length, s) / length
     for array in (pose.ankle, pose.heel, pose.ball, pose.toe):
         array[c, leg, 0] -= share * x
         array[c, leg, 1] -= share * y
@@ -157,7 +161,7 @@ def _pose_leg(b, track, support, leg, yaw, t, pose, c):
             toes = _stand(b, track, following, t, pose, c, leg)
         else:
             s, toes = _fly(b, track, last, following, t, pose, c, leg)
-            _pull_in(b, hip, s, pose, c, leg)
+            _keep_in_reach(b, hip, s, pose, c, leg)
             swung = swing.bump(s)
     ahead = 0.5 * (yaw + toes)
     ankle = pose.ankle[c, leg]

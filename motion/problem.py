@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motion import cost, spline
-from motion.jit import jit
+from motion.jit import jit, jit_inline
 
 
 class Problem(NamedTuple):
@@ -26,6 +26,8 @@ class Problem(NamedTuple):
     fixed: np.ndarray  # (m + 1,) bool: control points that may not move
     nominal_length: np.ndarray  # (m, S, 2) of the standing legs [m]
     max_length: np.ndarray  # (2,) of the left and right leg [m]; infinite: reach does not count
+    anchor: np.ndarray  # (6,) where the last control point is held by springs
+    anchor_stiffness: np.ndarray  # (2,) of its position [1/s/m] and velocity [s/m]; 0: free
     comfort_weight: float  # [1/s^2/m]
 
 
@@ -42,67 +44,125 @@ def empty_problem(segments, samples, nominal_length, max_length, comfort_weight)
         np.zeros(segments + 1, np.bool_),
         np.full((segments, samples, 2), nominal_length),
         np.full(2, max_length),
+        np.zeros(6),
+        np.zeros(2),
         comfort_weight,
     )
 
 
-@jit
+@jit_inline
 def sample_state(control, i, s, duration):
-    """com and needed force w = a - g of segment i at fraction s, as six floats."""
+    """com and needed force w = a - g of segment i at fraction s, as two triples."""
     p = spline.position_weights(s, duration)
     b = spline.acceleration_weights(s, duration)
     u, v = control[i], control[i + 1]
-    return (
+    c = (
         p[0] * u[0] + p[1] * u[3] + p[2] * v[0] + p[3] * v[3],
         p[0] * u[1] + p[1] * u[4] + p[2] * v[1] + p[3] * v[4],
         p[0] * u[2] + p[1] * u[5] + p[2] * v[2] + p[3] * v[5],
+    )
+    w = (
         b[0] * u[0] + b[1] * u[3] + b[2] * v[0] + b[3] * v[3],
         b[0] * u[1] + b[1] * u[4] + b[2] * v[1] + b[3] * v[4],
         b[0] * u[2] + b[1] * u[5] + b[2] * v[2] + b[3] * v[5] + cost.GRAVITY,
     )
+    return c, w
 
 
-@jit
-def comfort_of_sample(problem, i, j, c0, c1, c2):
-    """e_comfort of sample j of segment i with the com at c."""
-    return cost.comfort_cost(
-        c0, c1, c2, problem.leg_origin[i, j], problem.standing[i, j], problem.nominal_length[i, j], problem.comfort_weight
-    )
+@jit_inline
+def triple(array, i, j, leg):
+    """array[i, j, leg] (3,) as three numbers."""
+    return array[i, j, leg, 0], array[i, j, leg, 1], array[i, j, leg, 2]
+
+
+@jit_inline
+def physics_of_sample(problem, i, j, c, w, eps):
+    """motion.cost.physics_model of sample j of segment i."""
+    s0, s1 = triple(problem.support_point, i, j, 0), triple(problem.support_point, i, j, 1)
+    return cost.physics_model(c, w, s0, s1, problem.standing[i, j, 0], problem.standing[i, j, 1], eps)
+
+
+@jit_inline
+def comfort_of_leg(problem, i, j, leg, c):
+    """motion.cost.comfort_model of one leg in sample j of segment i."""
+    q, on = triple(problem.leg_origin, i, j, leg), problem.standing[i, j, leg]
+    return cost.comfort_model(c, q, on, problem.nominal_length[i, j, leg], problem.comfort_weight)
 
 
 @jit
 def reach_of_segment(problem, control, i):
-    """The reach penalties at both ends of segment i."""
+    """The reach penalties at both ends of segment i, where they can move."""
     e = 0.0
     for end in range(2):
-        e += cost.reach_cost(
-            control[i + end], problem.end_origin[i, end], problem.end_standing[i, end], problem.max_length,
-            problem.comfort_weight,
-        )  # fmt: skip
+        if not problem.fixed[i + end]:
+            e += cost.reach_cost(
+                control[i + end], problem.end_origin[i, end], problem.end_standing[i, end], problem.max_length,
+                problem.comfort_weight,
+            )  # fmt: skip
     return e
+
+
+@jit
+def reach_of_curve(problem, control):
+    """The reach penalties of all segments."""
+    e = 0.0
+    for i in range(len(problem.time) - 1):
+        e += reach_of_segment(problem, control, i)
+    return e
+
+
+@jit_inline
+def reach_counts(problem):
+    """Whether legs can be too long: max_length is finite."""
+    return min(problem.max_length[0], problem.max_length[1]) < np.inf
+
+
+@jit
+def segment_costs(problem, control, i, eps):
+    """Segment i's share of E: (as the solver smooths it, the true norm)."""
+    samples = problem.support_point.shape[1]
+    duration = problem.time[i + 1] - problem.time[i]
+    smooth, true = 0.0, 0.0
+    for j in range(samples):
+        c, w = sample_state(control, i, (j + 0.5) / samples, duration)
+        r = physics_of_sample(problem, i, j, c, w, eps)[0]
+        comfort = comfort_of_leg(problem, i, j, 0, c)[0] + comfort_of_leg(problem, i, j, 1, c)[0]
+        smooth += cost.smooth_norm(r, eps) + comfort
+        true += r + comfort
+    reach = reach_of_segment(problem, control, i) if reach_counts(problem) else 0.0
+    return smooth * duration / samples + reach, true * duration / samples + reach
+
+
+@jit
+def anchor_cost(problem, control):
+    """Energy of the springs that hold the last control point."""
+    e, last = 0.0, len(control) - 1
+    for k in range(6):
+        e += 0.5 * problem.anchor_stiffness[k // 3] * (control[last, k] - problem.anchor[k]) ** 2
+    return e
+
+
+@jit
+def total_costs(problem, control, eps):
+    """E of control (m + 1, 6): (smoothed, true)."""
+    smooth = true = anchor_cost(problem, control)
+    for i in range(len(problem.time) - 1):
+        a, b = segment_costs(problem, control, i, eps)
+        smooth += a
+        true += b
+    return smooth, true
 
 
 @jit
 def segment_cost(problem, control, i):
     """Segment i's share of E (the true norm, not smoothed)."""
-    samples = problem.support_point.shape[1]
-    duration = problem.time[i + 1] - problem.time[i]
-    e = 0.0
-    for j in range(samples):
-        c0, c1, c2, w0, w1, w2 = sample_state(control, i, (j + 0.5) / samples, duration)
-        standing = problem.standing[i, j]
-        e += cost.physics_cost(c0, c1, c2, w0, w1, w2, problem.support_point[i, j], standing)
-        e += comfort_of_sample(problem, i, j, c0, c1, c2)
-    return e * duration / samples + reach_of_segment(problem, control, i)
+    return segment_costs(problem, control, i, 1.0)[1]
 
 
 @jit
 def total_cost(problem, control):
     """E of control (m + 1, 6)."""
-    e = 0.0
-    for i in range(len(problem.time) - 1):
-        e += segment_cost(problem, control, i)
-    return e
+    return total_costs(problem, control, 1.0)[1]
 
 
 @jit

@@ -2,9 +2,10 @@
 
 The ball goes along the line between the footprints by the quintic 10 x^3 - 15 x^4 + 6 x^5, at rest at both ends, and is raised
 by lift * bump(s). Over edges (`hold`) the foot rises before it goes forward and comes down after it has arrived. The pitch
-with which the foot left fades, its toes straighten a little sooner, and where the line would come too near to the other foot
-it bows outward: a left foot goes by on the left, a right foot on the right, as on the outside of a sharp turn. A foot that rolls from its heel comes in with the toes up, turned about the heel, and lays the sole down
-in the last STRIKE of the swing, so that it is flat, and the toe in place, at the contact.
+with which the foot left fades, its toes straighten a little sooner. Where the line would come too near to the other foot it
+bows outward: a left foot goes by on the left, a right foot on the right, as on the outside of a sharp turn. A foot that rolls
+from its heel comes in with the toes up, turned about the heel, and lays the sole down in the last STRIKE of the swing, so that
+it is flat, and the toe in place, at the contact.
 """
 
 from math import asin, cos, sin, sqrt
@@ -51,7 +52,7 @@ def fade(s, end):
 
 @jit
 def toes_up(b, track, n, m, s):
-    """Pitch, toes up [rad], at share s of the swing from n to m: for a landing on the heel, in a swing that leaves time for it."""
+    """Pitch, toes up [rad], at share s of the swing from n to m: for a landing on the heel, in a swing with time for it."""
     landing = b.heel_strike_angle * max(1 - 2 * track.roll[m, 0], 0.0)
     if landing == 0.0:
         return 0.0
@@ -63,7 +64,7 @@ def toes_up(b, track, n, m, s):
 
 @jit
 def share_at(w, hold):
-    """Share s of the swing at which way(s, hold) is about w: the inverse of 3 x^2 - 2 x^3, close to the quintic's, in closed form."""
+    """Share s of the swing at which way(s, hold) is about w: by the inverse of 3 x^2 - 2 x^3, close to the quintic's."""
     return hold + (1 - 2 * hold) * (0.5 - sin(asin(min(max(1 - 2 * w, -1.0), 1.0)) / 3))
 
 

@@ -5,11 +5,13 @@ step n and the planner's tentative footprints beyond it; then step n-1 is commit
 first control point is the end of what is already committed.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from motion import foot, heading, newton, phases, spline
 from motion import problem as problems
-from motion.jit import jit
+from motion.jit import jit, jit_inline
 
 LIVE_SAMPLES = 5
 """Samples per segment of the live window: the residual is nearly linear in a phase, five find it."""
@@ -21,58 +23,117 @@ TOO_FAR = 1e-3
 FULL_REACH = 0.995
 """Share of max_length from which on reach counts: the penalty gives a little, the leg shall not."""
 
+ANCHOR_STIFFNESS = (10.0, 1.0)
+"""Of the window's end, position [1/s/m] and velocity [s/m]: more steadies the end, and insists on a foreseen state."""
+STRIDES = 4
+"""Footprints from which on a walk repeats: twice both feet."""
+IRREGULAR = 1.5
+"""Ratio of two strides' times from which on one says nothing about the other."""
+
 LOOK_BACK = 6
 """Footprints before the newest among which a standing one is looked for."""
 
 
-@jit
-def lay_samples(b, track, problem):
-    """Fills the samples of a problem whose `time` is set; a sample asks the track who stands at its time.
+class Stance(NamedTuple):
+    """What laying asks of the feet: computed once for all samples."""
 
-    A segment of one phase has the phase's support all along; the paper's segments span a step and are sampled by time.
+    axis: np.ndarray  # (n, 3) of each footprint's sole, heel to toe
+    yaw: np.ndarray  # (m * (S + 1) + 1,) body heading at each segment's beginning and samples, then at the last end
+
+
+@jit
+def _stance(b, track, time, samples):
+    axis = np.empty((len(track.side), 3))
+    for n in range(len(axis)):
+        axis[n, 0], axis[n, 1], axis[n, 2] = foot.sole_axis(track.heading[n], track.normal[n])
+    m, k = len(time) - 1, 0
+    times = np.empty(m * (samples + 1) + 1)
+    for i in range(m):
+        times[k] = time[i]
+        for j in range(samples):
+            times[k + 1 + j] = time[i] + (j + 0.5) / samples * (time[i + 1] - time[i])
+        k += samples + 1
+    times[k] = time[m]
+    yaw = np.empty(len(times))
+    heading.body_headings(b, track, times, yaw)
+    return Stance(axis, yaw)
+
+
+@jit
+def lay_samples(b, track, problem, support, by_step):
+    """Fills the samples of a problem whose `time` is set.
+
+    A segment of one phase has the phase's support (m, 2) all along; the paper's segments span a step and are sampled by time.
     """
     samples = problem.support_point.shape[1]
+    stance = _stance(b, track, problem.time, samples)
     for i in range(len(problem.time) - 1):
-        duration = problem.time[i + 1] - problem.time[i]
-        first = max(np.searchsorted(track.contact_time, problem.time[i], side="right") - LOOK_BACK, 0)
+        begin, end, k = problem.time[i], problem.time[i + 1], i * (samples + 1)
+        left, right = support[i, 0], support[i, 1]
+        first = max(left, right) - LOOK_BACK
+        if by_step:
+            first = np.searchsorted(track.contact_time, begin, side="right") - LOOK_BACK
         for j in range(samples):
-            t = problem.time[i] + (j + 0.5) / samples * duration
-            support = phases.support_at(track.side, track.contact_time, track.stance_time, first, t)
-            yaw = heading.body_heading(b, track, t)
-            for leg in range(2):
-                n = support[leg]
-                problem.standing[i, j, leg] = n >= 0
-                if n >= 0:
-                    problem.nominal_length[i, j, leg] = track.nominal_length[n]
-                    problem.support_point[i, j, leg] = foot.point_of_support(b, track, n, _share(track, n, t))
-                    _lay_origin(b, track, n, leg, yaw, t, problem.leg_origin[i, j])
+            t = begin + (j + 0.5) / samples * (end - begin)
+            if by_step:
+                left, right = phases.support_at(track.side, track.contact_time, track.stance_time, max(first, 0), t)
+            _lay_sample(b, track, stance, problem, i, j, left, right, t, stance.yaw[k + 1 + j])
             if j == 0:
-                _lay_end(b, track, support, problem.time[i], problem.end_origin[i, 0], problem.end_standing[i, 0])
-            if j == samples - 1:
-                _lay_end(b, track, support, problem.time[i + 1], problem.end_origin[i, 1], problem.end_standing[i, 1])
+                _lay_end(b, track, stance, problem, i, 0, left, right, begin, stance.yaw[k])
+        _lay_end(b, track, stance, problem, i, 1, left, right, end, stance.yaw[k + samples + 1])
 
 
-@jit
-def _lay_end(b, track, support, t, origin, standing):
-    """The legs at an end of a segment are those of its nearest sample."""
-    yaw = heading.body_heading(b, track, t)
+@jit_inline
+def _lay_sample(b, track, stance, problem, i, j, left, right, t, yaw):
     for leg in range(2):
-        standing[leg] = support[leg] >= 0
-        if support[leg] >= 0:
-            _lay_origin(b, track, support[leg], leg, yaw, t, origin)
+        n = left if leg == 0 else right
+        problem.standing[i, j, leg] = n >= 0
+        if n >= 0:
+            u = _share(track, n, t)
+            roll = track.roll[n, 0] + u * (track.roll[n, 1] - track.roll[n, 0])
+            x, y, z = _on_sole(track, stance, n, (roll - 0.5) * b.foot_length, 0.0)
+            at = problem.support_point
+            at[i, j, leg, 0], at[i, j, leg, 1], at[i, j, leg, 2] = x, y, z
+            x, y, z = _origin(b, track, stance, n, leg, yaw, u)
+            at = problem.leg_origin
+            at[i, j, leg, 0], at[i, j, leg, 1], at[i, j, leg, 2] = x, y, z
+            problem.nominal_length[i, j, leg] = track.nominal_length[n]
 
 
-@jit
+@jit_inline
+def _lay_end(b, track, stance, problem, i, end, left, right, t, yaw):
+    """The legs at an end of a segment are those of its nearest sample."""
+    for leg in range(2):
+        n = left if leg == 0 else right
+        problem.end_standing[i, end, leg] = n >= 0
+        if n >= 0:
+            x, y, z = _origin(b, track, stance, n, leg, yaw, _share(track, n, t))
+            at = problem.end_origin
+            at[i, end, leg, 0], at[i, end, leg, 1], at[i, end, leg, 2] = x, y, z
+
+
+@jit_inline
 def _share(track, n, t):
     return min(max((t - track.contact_time[n]) / track.stance_time[n], 0.0), 1.0)
 
 
-@jit
-def _lay_origin(b, track, n, leg, yaw, t, origin):
+@jit_inline
+def _on_sole(track, stance, n, forward, up):
+    """motion.foot.along_sole for footprint n."""
+    return (
+        track.position[n, 0] + forward * stance.axis[n, 0] + up * track.normal[n, 0],
+        track.position[n, 1] + forward * stance.axis[n, 1] + up * track.normal[n, 1],
+        track.position[n, 2] + forward * stance.axis[n, 2] + up * track.normal[n, 2],
+    )
+
+
+@jit_inline
+def _origin(b, track, stance, n, leg, yaw, u):
+    """Ankle of the foot on footprint n at share u of its stance (motion.foot.stance_ankle), minus the hip's offset."""
     hip = foot.hip_offset(b, leg, yaw)
-    ankle = foot.stance_ankle(b, track, n, _share(track, n, t))
-    for axis in range(3):
-        origin[leg, axis] = ankle[axis] - hip[axis]
+    forward, up = foot.about_ball(b, b.ankle_forward, b.ankle_height, foot.heel_off_angle(b, track.roll[n, 1], u))
+    ankle = _on_sole(track, stance, n, forward, up)
+    return ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
 
 
 @jit
@@ -85,7 +146,7 @@ def build_problem(b, track, begin, end, samples, by_step):
         m = phases.merge_by_step(time, support, m)
     problem = problems.empty_problem(m, samples, b.nominal_length, FULL_REACH * b.max_length, b.comfort_weight)
     problem.time[:] = time[: m + 1]
-    lay_samples(b, track, problem)
+    lay_samples(b, track, problem, support, by_step)
     return problem, support[:m]
 
 
@@ -98,6 +159,62 @@ def _warm_start(problem, control, old_time, old_control):
             return i
         spline.evaluate(old_time, old_control, problem.time[i], control[i, :3], control[i, 3:], scratch)
     return len(problem.time)
+
+
+@jit
+def _regular(track, last, old_time):
+    """Whether the window's last stride repeats, about, the one two strides before: alternating feet, similar timing."""
+    n = last - STRIDES
+    if n < 2 or not old_time[0] <= track.contact_time[n] <= old_time[-1]:
+        return False
+    for k in range(STRIDES):
+        i, j = last - k, n - (k % 2)
+        if track.side[i] != track.side[j] or track.side[i] == track.side[i - 1]:
+            return False
+    pace = (track.contact_time[last] - track.contact_time[last - 2]) / (track.contact_time[n] - track.contact_time[n - 2])
+    return 1 / IRREGULAR < pace < IRREGULAR and track.side[n] != track.side[n - 1]
+
+
+@jit
+def _repeat(track, last, t, old_time, old_control, out):
+    """Fills out (6,) with the state at time t by that of the previous curve STRIDES footprints before.
+
+    It keeps its place between the two feet in their mean heading, and the difference of its velocity from their mean.
+    """
+    n = last - STRIDES
+    scratch = np.empty(3)
+    spline.evaluate(old_time, old_control, t - track.contact_time[last] + track.contact_time[n], out[:3], out[3:], scratch)
+    turn = 0.5 * (track.heading[last] + track.heading[last - 1] - track.heading[n] - track.heading[n - 1])
+    c, s = np.cos(turn), np.sin(turn)
+    before, after = track.contact_time[n] - track.contact_time[n - 2], track.contact_time[last] - track.contact_time[last - 2]
+    for axis in range(3):
+        out[axis] -= 0.5 * (track.position[n, axis] + track.position[n - 1, axis])
+        out[3 + axis] -= (track.position[n, axis] - track.position[n - 2, axis]) / before
+    for k in (0, 3):
+        out[k], out[k + 1] = c * out[k] - s * out[k + 1], s * out[k] + c * out[k + 1]
+    for axis in range(3):
+        out[axis] += 0.5 * (track.position[last, axis] + track.position[last - 1, axis])
+        out[3 + axis] += (track.position[last, axis] - track.position[last - 2, axis]) / after
+
+
+@jit
+def begin_window(track, problem, control, start, old_time, old_control):
+    """Fills control with start (6,) and the first guess of the rest; fixes the start, and the end where it is foreseeable."""
+    control[0] = start
+    problem.fixed[0] = True
+    if len(old_time) < 2:
+        problems.straight_guess(problem, control, 1)
+        return
+    first, m, last = _warm_start(problem, control, old_time, old_control), len(problem.time) - 1, len(track.side) - 1
+    if first > m:
+        return
+    if _regular(track, last, old_time):
+        for i in range(first, m + 1):
+            _repeat(track, last, problem.time[i], old_time, old_control, control[i])
+        problem.anchor[:] = control[m]
+        problem.anchor_stiffness[:] = ANCHOR_STIFFNESS
+    else:
+        problems.straight_guess(problem, control, first)
 
 
 @jit
@@ -121,17 +238,20 @@ def optimise_window(b, track, begin, end, start, old_time, old_control, effort):
 
     old_time (k + 1,) and old_control (k + 1, 6) are the previous window's curve (k = 0: none, a cold start).
     """
-    problem, support = build_problem(b, track, begin, end, LIVE_SAMPLES, False)
+    problem, support = lay_window(b, track, begin, end)
     control = np.zeros((len(problem.time), 6))
-    control[0] = start
-    problem.fixed[0] = True
-    first = _warm_start(problem, control, old_time, old_control) if len(old_time) > 1 else 1
-    if first < len(problem.time):
-        problems.straight_guess(problem, control, first)
-    problem.max_length[:] = np.inf
+    begin_window(track, problem, control, start, old_time, old_control)
     e, iterations = newton.minimise(problem, control, effort)
     problem.max_length[:] = FULL_REACH * b.max_length
-    if problems.total_cost(problem, control) > e + TOO_FAR or e > HARD * (problem.time[-1] - problem.time[0]):
+    if problems.reach_of_curve(problem, control) > TOO_FAR or e > HARD * (problem.time[-1] - problem.time[0]):
         e, more = newton.minimise(problem, control, newton.HARDER)
         iterations += more
     return problem.time, control, support, e, iterations
+
+
+@jit
+def lay_window(b, track, begin, end):
+    """Problem and support of a window, legs of any length."""
+    problem, support = build_problem(b, track, begin, end, LIVE_SAMPLES, False)
+    problem.max_length[:] = np.inf
+    return problem, support

@@ -25,7 +25,13 @@ class Script(NamedTuple):
     stance_time: np.ndarray  # (K,) the same
     crouch: np.ndarray  # (K,) share of the nominal leg length
     facing: np.ndarray  # (K,) [rad]
+    support: int  # ROLL, MIDDLE or TOE
     rest: float  # standing at the end [s]
+
+
+ROLL, MIDDLE, TOE = range(3)
+SUPPORTS = {"roll": ROLL, "middle": MIDDLE, "toe": TOE}
+"""Where a standing foot presses: rolling from heel to toe, or at one place throughout (paper, section 2.4)."""
 
 
 def prints_of(scene: Scene, biped: Biped) -> list[Print]:
@@ -51,7 +57,9 @@ def script_of(scene: Scene, prints: list[Print]) -> Script:
             rows += _standing(prints, i, prints[i + 1].side if i + 1 < len(prints) else before.side, p.stand, headings)
     columns = np.array(rows, np.float64)
     side, x, y, *rest = columns.T
-    return Script(side.astype(np.int64), np.column_stack([x, y]), *(a.copy() for a in rest), rest=scene.stand_after)  # type: ignore[misc]
+    return Script(
+        side.astype(np.int64), np.column_stack([x, y]), *(a.copy() for a in rest), SUPPORTS[scene.support], scene.stand_after
+    )
 
 
 def _unwrapped(prints: list[Print]) -> np.ndarray:

@@ -4,8 +4,8 @@ Dynamic similarity (Alexander 1976; coefficient for bipeds by Ruiz & Torices 201
 
     v = 0.226 sqrt(g) S^1.67 h^-1.17,   step time b = s / v,   Froude number Fr = v^2 / (g h)
 
-Duty factor: walking_duty - 0.104 sqrt(Fr) while walking (walking_duty is near 0.65), 0.341 while running, which begins near Fr =
-0.5; stance time a = 2 beta b.
+Duty factor: walking_duty - 0.104 sqrt(Fr) while walking (walking_duty is near 0.65), 0.344 while running, which begins near
+Fr = 0.5; stance time a = 2 beta b.
 A step longer than the character's leap_length is a leap: its flight is ballistic, t = sqrt(2 d tan(alpha) / g).
 """
 
@@ -16,7 +16,7 @@ from motion.jit import jit
 GRAVITY = 9.81
 RUNS_FROM = 0.5
 """Froude number at which walking gives way to running."""
-RUNNING_DUTY = 0.341
+RUNNING_DUTY = 0.344
 SHORTEST_STEP = 0.75
 LONGEST_STEP = 2.2
 """Step time of a walk in pendulum times sqrt(h / g): shorter is scurrying, longer is dawdling."""
@@ -52,7 +52,7 @@ def duty_factor(froude, smoothness, slowest):
 
 @jit
 def nominal_length(b, length, step_time):
-    """Comfortable virtual leg [m] at a step of this length [m] in this time [s]: shorter the faster, in proportion to Froude."""
+    """Comfortable virtual leg [m] at a step of this length [m] in this time [s]: shorter in proportion to Froude."""
     froude = (length / step_time) ** 2 / (GRAVITY * b.hip_height)
     return b.nominal_length * (1 - b.run_crouch * min(froude, 1.0))
 

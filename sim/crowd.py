@@ -135,16 +135,18 @@ def stand(crowd, bipeds, c, first_contact, side, positions, headings, normals, r
 
 @jit
 def above_feet(b, track, control):
-    """Fills control (6,) with the com at rest over the last two footprints of the track, legs at nominal length."""
+    """Fills control (6,) with the com at rest, balanced over the middles of the last two soles, legs at nominal length."""
     n = len(track.side)
     yaw = 0.5 * (track.heading[n - 2] + track.facing[n - 2] + track.heading[n - 1] + track.facing[n - 1])
     control[:] = 0.0
+    for axis in range(2):
+        control[axis] = 0.5 * (track.position[n - 2, axis] + track.position[n - 1, axis])
     for i in range(n - 2, n):
         ankle = foot.stance_ankle(b, track, i, 0.0)
         hip = foot.hip_offset(b, track.side[i], yaw)
-        for axis in range(3):
-            control[axis] += 0.5 * (ankle[axis] - hip[axis])
-    control[2] += track.nominal_length[n - 1]
+        x, y = control[0] + hip[0] - ankle[0], control[1] + hip[1] - ankle[1]
+        rise = max(track.nominal_length[i] ** 2 - x * x - y * y, 0.0) ** 0.5
+        control[2] += 0.5 * (ankle[2] - hip[2] + rise)
 
 
 @jit

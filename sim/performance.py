@@ -18,7 +18,7 @@ SHORTEST_SWING = 0.05
 class Performance(Cast):
     """One character that does what a scene says, and then stands."""
 
-    def __init__(self, scene: Scene, tick_rate: int = TICK_RATE, effort: newton.Effort = newton.SCENE, by_step: bool = False):
+    def __init__(self, scene: Scene, tick_rate: int = TICK_RATE, effort: newton.Effort = newton.SCENE):
         biped = load_biped(scene.character)
         prints = scripts.prints_of(scene, biped)
         script = scripts.script_of(scene, prints)
@@ -29,6 +29,7 @@ class Performance(Cast):
         places = np.array([(*p.position, h) for p, h in zip(prints[:2], heading, strict=True)])
         self.stand(0, int(prints[1].side == "right"), places)
         w = self.world.arrays
+        by_step = scene.segments == "step"
         self.cost, self.iterations = rounds.perform(self.crowd, self.bipeds, w, 0, script, SAMPLES, by_step, effort)
         self.end = float(self.crowd.curve_time[0, self.crowd.curve_count[0]])
         self._check(scene)

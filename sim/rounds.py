@@ -11,6 +11,7 @@ from motion import window
 from motion.jit import jit, jit_parallel
 from motion.phases import SHORTEST_PHASE as SLIVER
 from planner import placing, plan, timing
+from planner.script import MIDDLE, ROLL
 from sim.crowd import REAL, TENTATIVE, above_feet, horizon, track_of
 
 WINDOW_TAIL = 0.0
@@ -105,7 +106,7 @@ def _timing(crowd, b, c, n, f):
 
 @jit
 def _time(crowd, b, c, n, stands, step, stance):
-    """Sets the timing of footprint n - 1, and the same as a first guess for n's own; legs over n are as long as the pace asks."""
+    """Sets the timing of footprint n - 1, the same as a first guess for n's own, and the leg that the pace asks for."""
     if stands:
         crowd.stance_time[c, n - 2] = crowd.contact_time[c, n - 1] + step - crowd.contact_time[c, n - 2]
         crowd.roll[c, n - 2, 1] = 0.5
@@ -222,6 +223,8 @@ def perform(crowd, bipeds, w, c, script, samples, by_step, effort):
         crowd.real[c] = n + 1
     n = crowd.real[c]
     crowd.roll[c, n - 2 : n, 1] = 0.5
+    if script.support != ROLL:
+        crowd.roll[c, 2:n] = 0.5 if script.support == MIDDLE else 1.0
     end = crowd.contact_time[c, n - 1] + script.rest
     crowd.stance_time[c, n - 2 : n] = end + plan.STAND_TIME - crowd.contact_time[c, n - 2 : n]
     for k in range(2, n):

@@ -3,6 +3,8 @@
 import numpy as np
 from scipy.optimize import nnls
 
+from motion import cost
+
 GRAVITY = np.array([0.0, 0.0, -9.81])
 
 
@@ -40,7 +42,7 @@ def reach_cost(com, origins, max_length, weight):
 def total_cost(problem, control):
     """E of a motion.problem.Problem, sample by sample."""
     segments, samples = problem.standing.shape[:2]
-    e = 0.0
+    e = 0.5 * float(np.repeat(problem.anchor_stiffness, 3) @ (control[-1] - problem.anchor) ** 2)
     for i in range(segments):
         duration = problem.time[i + 1] - problem.time[i]
         for j in range(samples):
@@ -52,9 +54,46 @@ def total_cost(problem, control):
             part += comfort_cost(com, *legs, problem.comfort_weight)
             e += part * duration / samples
         for end in (0, 1):
+            if problem.fixed[i + end]:
+                continue
             legs = problem.end_origin[i, end][problem.end_standing[i, end]]
             e += reach_cost(control[i + end, :3], legs, problem.max_length[0], problem.comfort_weight)
     return e
+
+
+def normal_equations(problem, control, eps):
+    """Gauss-Newton (h (m + 1, 6, m + 1, 6), g (m + 1, 6)) of E: J^T M J + C, sample by sample with dense Jacobians."""
+    segments, samples = problem.standing.shape[:2]
+    h, g = np.zeros((segments + 1, 6, segments + 1, 6)), np.zeros((segments + 1, 6))
+    for i in range(segments):
+        duration = problem.time[i + 1] - problem.time[i]
+        for j in range(samples):
+            t = problem.time[i] + (j + 0.5) / samples * duration
+            com, _, acceleration = hermite(problem.time, control, t)
+            unit = np.eye(12).reshape(12, 2, 6)
+            basis = [hermite(problem.time[i : i + 2], u, t) for u in unit]
+            dc, da = np.array([b[0] for b in basis]).T, np.array([b[2] for b in basis]).T
+            points = [tuple(p) for p in problem.support_point[i, j]]
+            on = problem.standing[i, j]
+            _, phi, force, lower = cost.physics_model(tuple(com), tuple(acceleration - GRAVITY), *points, *on, eps)
+            both = da - phi * dc
+            part = both.T @ whole(lower) @ both
+            slope = both.T @ np.array(force)
+            for leg in range(2):
+                origin, nominal = tuple(problem.leg_origin[i, j, leg]), problem.nominal_length[i, j, leg]
+                _, force, lower = cost.comfort_model(tuple(com), origin, on[leg], nominal, problem.comfort_weight)
+                part += dc.T @ whole(lower) @ dc
+                slope += dc.T @ np.array(force)
+            h[i : i + 2, :, i : i + 2] += part.reshape(2, 6, 2, 6) * duration / samples
+            g[i : i + 2] += slope.reshape(2, 6) * duration / samples
+    return h, g
+
+
+def whole(lower):
+    """The symmetric 3x3 matrix of a lower triangle (00, 10, 11, 20, 21, 22)."""
+    m = np.zeros((3, 3))
+    m[np.tril_indices(3)] = lower
+    return m + np.tril(m, -1).T
 
 
 def phases(side, contact, stance, begin, end, step=1e-3):

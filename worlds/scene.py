@@ -52,6 +52,8 @@ class _Scene(Ground):
     character: str = "human"
     stand_before: Pause = 0.4
     stand_after: Pause = 0.6
+    support: Literal["roll", "middle", "toe"] = "roll"  # where a standing foot presses: heel to toe, or the paper's either-or
+    segments: Literal["phase", "step"] = "phase"  # of the com's curve: one per phase of support, or the paper's per step
     footprint: list[Print] = []
     path: Stretch | None = None
 
@@ -79,6 +81,11 @@ class Scene:
     stand_after: float
     footprints: tuple[Print, ...]
     path: Stretch | None
+    support: str = "roll"
+    segments: str = "phase"
+
+
+_PLAIN = ("name", "about", "figure", "character", "stand_before", "stand_after", "support", "segments")
 
 
 def scene_names() -> list[str]:
@@ -95,7 +102,5 @@ def load_scene(name_or_path: str | Path) -> Scene:
     faults += checks.faults(world)
     if faults:
         raise InputError("\n".join(f"{path}: {fault}" for fault in faults))
-    prints = tuple(file.footprint)
-    return Scene(
-        file.name, file.about, file.figure, file.character, world, file.stand_before, file.stand_after, prints, file.path
-    )
+    plain = {key: getattr(file, key) for key in _PLAIN}
+    return Scene(world=world, footprints=tuple(file.footprint), path=file.path, **plain)

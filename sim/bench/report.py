@@ -96,16 +96,18 @@ def frames(n: int, count: int) -> float | None:
 
 def in_words(report: dict) -> str:
     """The report for people."""
-    lines = ["12-step tracks, a segment per step, 10 samples   ms (E, E / best)"]
+    lines = ["12-step tracks, a segment per step or per phase, 10 samples   ms (E, E / best)"]
     for track, row in report["solver"].items():
         cells = [
             f"{name} {row[f'{name}_ms']:.2f} ({row[f'{name}_cost']:.3f}, {row[f'{name}_cost'] / row['best_cost']:.3f})"
-            for name in ("newton", "newton_loose", "greedy", "lbfgs")
+            for name in ("newton", "newton_loose", "greedy", "lbfgs", "ipopt")
+            if f"{name}_ms" in row
         ]
         lines.append(f"  {track}: " + ", ".join(cells))
     lines.append(
         f"live window: {report['window']['us_per_step']:.0f} us per step, "
-        f"E {report['window']['cost_over_global']:.3f} of the global optimum ({live.STEPS}-step wander)"
+        f"E {report['window']['cost_over_tight']:.3f} of the same windows solved tightly, "
+        f"{report['window']['cost_over_global']:.3f} of the global optimum ({live.STEPS}-step wander)"
     )
     for n, row in report["crowd"].items():
         lines.append(

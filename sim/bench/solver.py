@@ -1,4 +1,4 @@
-"""Solvers on the same 12-step problems: newton, greedy, and scipy's L-BFGS-B where scipy is installed."""
+"""Solvers on the same 12-step problems: newton, greedy, scipy's L-BFGS-B where scipy is installed, and IPOPT where casadi is."""
 
 from statistics import median
 from time import perf_counter
@@ -7,15 +7,19 @@ import numpy as np
 
 from motion import greedy, newton
 from motion.problem import straight_guess, total_cost
+from sim.bench import ipopt
 from sim.bench.tracks import TRACKS, twelve_steps
 
 SMOOTHING = 1e-3
-"""eps of the norm that L-BFGS-B is given [m/s^2]: it needs a smooth cost. Costs reported are the true ones."""
+"""eps of the norm that L-BFGS-B and IPOPT are given [m/s^2]: they need a smooth cost. Costs reported are the true ones."""
+_SLOW = ("lbfgs", "ipopt")
 
 
 def compare(runs: int) -> dict:
-    """{"walk12": {"newton_ms", "newton_cost", "greedy_ms", ...}, ...}"""
-    return {name: _compare_on(twelve_steps(**shape), runs) for name, shape in TRACKS.items()}
+    """{"walk12": {"newton_ms", "newton_cost", "greedy_ms", ...}, ...}; with a segment per phase, "walk12_by_phase" and so on."""
+    steps = {name: twelve_steps(**shape) for name, shape in TRACKS.items()}
+    phases = {f"{name}_by_phase": twelve_steps(**shape, by_phase=True) for name, shape in TRACKS.items()}
+    return {name: _compare_on(problem, runs) for name, problem in (steps | phases).items()}
 
 
 def _compare_on(problem, runs: int) -> dict:
@@ -27,10 +31,13 @@ def _compare_on(problem, runs: int) -> dict:
         "greedy": lambda x: greedy.minimise(problem, x, greedy.DELTAS)[0],
         "lbfgs": lambda x: _lbfgs(problem, x),
     }
+    if ipopt.INSTALLED:
+        ipopt_solve = ipopt.solver(problem, SMOOTHING)
+        rivals["ipopt"] = lambda x: total_cost(problem, ipopt_solve(x))
     report: dict = {}
     for name, solve in rivals.items():
         report[f"{name}_cost"], seconds = float(solve(guess.copy())), []
-        for _ in range(runs if name != "lbfgs" else min(runs, 3)):
+        for _ in range(min(runs, 3) if name in _SLOW else runs):
             x = guess.copy()
             begin = perf_counter()
             solve(x)
@@ -45,7 +52,7 @@ def _lbfgs(problem, x: np.ndarray) -> float:
         from scipy.optimize import minimize
     except ImportError:
         return float("nan")
-    work = newton.workspace(len(problem.time) - 1)
+    work = newton.workspace(len(problem.time) - 1, problem.support_point.shape[1])
 
     def smooth(flat):
         return newton.assemble(problem, flat.reshape(-1, 6), SMOOTHING, work), work.gradient.ravel().copy()

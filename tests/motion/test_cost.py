@@ -30,35 +30,64 @@ def test_physics_cost_is_the_nnls_residual(standing):
         assert cost.physics_cost(*com, *w, points, standing) == pytest.approx(expected, abs=1e-9)
 
 
+def model(x, points, standing, eps):
+    """(E, gradient in com and acceleration) of a moment by the kernels; both legs' comfort with other origins."""
+    points = [tuple(point) for point in points]
+    r, phi, g, m = cost.physics_model(tuple(x[:3]), tuple(x[3:]), *points, *standing, eps)
+    e, gradient = r, np.concatenate([-phi * np.array(g), g])
+    for leg, nominal in enumerate((0.9, 0.85)):
+        origin = tuple(np.array(points[leg]) + 0.05)
+        more, f, _ = cost.comfort_model(tuple(x[:3]), origin, standing[leg], nominal, 100.0)
+        e, gradient = e + more, gradient + np.concatenate([f, np.zeros(3)])
+    return e, gradient, m
+
+
 @pytest.mark.parametrize("standing", SUPPORTS)
 def test_gradient_agrees_with_finite_differences(standing):
     rng = np.random.default_rng(2)
     standing = np.array(standing)
     for _ in range(100):
         com, w, points = random_moment(rng)
-        h, g = np.zeros((6, 6)), np.zeros(6)
-        e = cost.add_physics(*com, *w, points, standing, 1e-9, h, g)
-        e += cost.add_comfort(*com, points + 0.05, standing, np.array([0.9, 0.85]), 100.0, h, g)
         x, numeric = np.concatenate([com, w]), np.empty(6)
+        e, g, _ = model(x, points, standing, 1e-9)
         for k in range(6):
             d = np.zeros(6)
             d[k] = 1e-6
-            numeric[k] = (moment_cost(x + d, points, standing) - moment_cost(x - d, points, standing)) / 2e-6
-        if moment_cost(x, points, standing) > 0.05:
-            assert e == pytest.approx(moment_cost(x, points, standing))
+            numeric[k] = (model(x + d, points, standing, 1.0)[0] - model(x - d, points, standing, 1.0)[0]) / 2e-6
+        if e > 0.05:
             np.testing.assert_allclose(g, numeric, rtol=1e-5, atol=1e-5 * np.abs(numeric).max())
 
 
-def moment_cost(x, points, standing):
-    e = cost.physics_cost(*x, points, standing)
-    return e + cost.comfort_cost(*x[:3], points + 0.05, standing, np.array([0.9, 0.85]), 100.0)
+@pytest.mark.parametrize("standing", SUPPORTS)
+def test_model_is_the_projector_on_what_the_legs_cannot_give(standing):
+    """M max(|r|, eps) = N but for the caution on shares of a double stance, which is only seen within the legs' plane."""
+    rng = np.random.default_rng(7)
+    for _ in range(50):
+        com, w, points = random_moment(rng)
+        r, phi, g, lower = cost.physics_model(tuple(com), tuple(w), *(tuple(p) for p in points), *standing, 1e-9)
+        m = np.zeros((3, 3))
+        m[np.tril_indices(3)] = lower
+        m += np.tril(m, -1).T
+        legs = np.array([com - p for p in points[np.array(standing)]]).reshape(-1, 3)
+        legs /= np.linalg.norm(legs, axis=1, keepdims=True) if len(legs) else 1.0
+        shares = np.linalg.lstsq(legs.T, w, rcond=None)[0] if len(legs) else np.zeros(0)
+        if (shares <= 0).any():
+            continue  # outside the cone other legs carry
+        np.testing.assert_allclose(m @ np.array(g), np.array(g) / r, rtol=1e-6)
+        assert phi == pytest.approx(sum(a / np.linalg.norm(com - p) for a, p in zip(shares, points[np.array(standing)])))
+        held = sum(cost.CAUTION / max(a, 1.0) ** 2 for a in shares) if len(legs) == 2 else 0.0
+        dual = np.linalg.pinv(legs.T) if len(legs) else np.zeros((0, 3))
+        expected = (np.eye(3) - dual.T @ legs) / r
+        if held:
+            expected += sum(cost.CAUTION / max(a, 1.0) ** 2 * np.outer(u, u) for a, u in zip(shares, dual, strict=True))
+        np.testing.assert_allclose(m, expected, atol=1e-9 / r)
 
 
 def test_track_gradient_agrees_with_finite_differences():
     problem = twelve_steps()
     rng = np.random.default_rng(3)
     control = wobbly(problem, rng)
-    work = newton.workspace(12)
+    work = newton.workspace(12, 10)
     newton.assemble(problem, control, 1e-9, work)
     for _ in range(40):
         i, k = rng.integers(13), rng.integers(6)

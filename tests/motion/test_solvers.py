@@ -7,6 +7,7 @@ from scipy.optimize import minimize
 from motion import greedy, newton
 from motion.problem import straight_guess, total_cost
 from sim.bench.tracks import TRACKS, twelve_steps
+from tests import reference
 
 
 def solved(problem, method, how):
@@ -32,7 +33,7 @@ def test_newton_is_never_above_greedy(name):
 def test_scipy_finds_nothing_better_nearby(name):
     problem = twelve_steps(**TRACKS[name])
     e, control = solved(problem, newton, newton.TIGHT)
-    work = newton.workspace(len(control) - 1)
+    work = newton.workspace(len(control) - 1, 10)
 
     def smooth(x):
         value = newton.assemble(problem, x.reshape(-1, 6), 1e-4, work)
@@ -40,6 +41,54 @@ def test_scipy_finds_nothing_better_nearby(name):
 
     found = minimize(smooth, control.ravel(), jac=True, method="L-BFGS-B", options={"maxiter": 500})
     assert e <= 1.002 * total_cost(problem, found.x.reshape(-1, 6))
+
+
+@pytest.mark.parametrize("by_phase", [False, True])
+@pytest.mark.parametrize("name", TRACKS)
+def test_scenes_come_within_two_percent_of_the_best(name, by_phase):
+    problem = twelve_steps(**TRACKS[name], by_phase=by_phase)
+    assert solved(problem, newton, newton.SCENE)[0] <= 1.02 * solved(problem, newton, newton.TIGHT)[0]
+
+
+def test_step_solves_the_damped_normal_equations():
+    """Against a dense matrix of the same blocks, with control points fixed at an end and in the middle."""
+    problem = twelve_steps()
+    problem.fixed[[0, 5]] = True
+    control = np.zeros((13, 6))
+    straight_guess(problem, control, 0)
+    work = newton.workspace(12, 10)
+    newton.assemble(problem, control, 0.1, work)
+    decrease = newton.solve(problem, work)
+    h = np.zeros((13, 6, 13, 6))
+    for i in range(13):
+        h[i, :, i] = np.tril(work.diagonal[i]) + np.tril(work.diagonal[i], -1).T
+        if i < 12:
+            h[i + 1, :, i] = work.lower[i]
+            h[i, :, i + 1] = work.lower[i].T
+    free = np.flatnonzero(np.repeat(~problem.fixed, 6))
+    h = h.reshape(78, 78)[np.ix_(free, free)]
+    h += newton.DAMPING * np.diag(np.diag(h))
+    expected = np.zeros(78)
+    expected[free] = -np.linalg.solve(h, work.gradient.ravel()[free])
+    np.testing.assert_allclose(work.step.ravel(), expected, rtol=1e-6, atol=1e-9)
+    assert decrease == pytest.approx(-0.5 * expected @ work.gradient.ravel())
+
+
+def test_hessian_is_the_samples_models_spread():
+    """assemble's blocks against J^T M J + C of every sample, written with numpy."""
+    problem = twelve_steps(by_phase=True, samples=5)
+    rng = np.random.default_rng(3)
+    control = np.zeros((25, 6))
+    straight_guess(problem, control, 0)
+    control += rng.normal(0, 0.02, control.shape)
+    work = newton.workspace(24, 5)
+    newton.assemble(problem, control, 0.1, work)
+    h, g = reference.normal_equations(problem, control, 0.1)
+    for i in range(25):
+        np.testing.assert_allclose(np.tril(work.diagonal[i]), np.tril(h[i, :, i]), rtol=1e-9, atol=1e-6)
+        if i < 24:
+            np.testing.assert_allclose(work.lower[i], h[i + 1, :, i], rtol=1e-9, atol=1e-6)
+    np.testing.assert_allclose(work.gradient, g, rtol=1e-9, atol=1e-9)
 
 
 def test_fixed_control_points_stay():

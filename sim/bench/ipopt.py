@@ -1,0 +1,46 @@
+"""A peer: the same problem given to IPOPT through casadi, an optional extra (peers).
+
+Pushes are lifted: each sample has one unknown a >= 0 per standing leg and the residual r = w - sum of a K; norms are
+sqrt(r^2 + eps^2). Second derivatives are casadi's own, exact and sparse; only solving is timed, not the building.
+"""
+
+from importlib.util import find_spec
+
+import numpy as np
+
+from motion import cost, spline
+
+INSTALLED = find_spec("casadi") is not None
+OPTIONS = {"print_time": False, "ipopt": {"print_level": 0, "sb": "yes", "max_iter": 500, "tol": 1e-6}}
+
+
+def solver(problem, eps: float):
+    """Function of control (m + 1, 6), the start, that returns the optimum; nothing may be fixed or out of reach."""
+    import casadi
+
+    m, samples = problem.standing.shape[:2]
+    x, pushes, e = casadi.SX.sym("x", 6, m + 1), [], 0
+    for i in range(m):
+        duration = problem.time[i + 1] - problem.time[i]
+        knots = casadi.horzcat(x[:3, i], x[3:, i], x[:3, i + 1], x[3:, i + 1])
+        for j in range(samples):
+            s = (j + 0.5) / samples
+            com = knots @ casadi.DM(spline.position_weights(s, duration))
+            r = knots @ casadi.DM(spline.acceleration_weights(s, duration)) + casadi.DM([0, 0, cost.GRAVITY])
+            part = 0
+            for leg in np.flatnonzero(problem.standing[i, j]):
+                pushes.append(casadi.SX.sym(f"a{i}_{j}_{leg}"))
+                along = com - casadi.DM(problem.support_point[i, j, leg])
+                r -= pushes[-1] * along / casadi.norm_2(along)
+                stretch = casadi.norm_2(com - casadi.DM(problem.leg_origin[i, j, leg])) - problem.nominal_length[i, j, leg]
+                part += problem.comfort_weight * stretch**2
+            e += duration / samples * (casadi.sqrt(casadi.sumsqr(r) + eps**2) + part)
+    unknowns = casadi.vertcat(casadi.vec(x), *pushes)
+    ipopt = casadi.nlpsol("ipopt", "ipopt", {"x": unknowns, "f": e}, OPTIONS)
+    least = np.concatenate([np.full(6 * (m + 1), -np.inf), np.zeros(len(pushes))])
+
+    def solve(control: np.ndarray) -> np.ndarray:
+        start = np.concatenate([control.ravel(), np.full(len(pushes), 0.5 * cost.GRAVITY)])
+        return np.array(ipopt(x0=start, lbx=least)["x"]).ravel()[: control.size].reshape(-1, 6)
+
+    return solve
