@@ -73,7 +73,7 @@ def steps() -> dict[str, list[tuple[Callable, tuple]]]:
     plans = Wander().prepare(world, cast.characters, np.zeros((1, 2, 5)), np.zeros(1, np.int64), 0)
     one, matrix, b = np.zeros(2, np.int64), np.zeros((2, 3)), bipeds[0]
     place, many = (w, 0.0, 0.0), np.zeros(2)
-    script = Script(one, np.zeros((2, 2)), many, many, many, many, many, many, 0.0)
+    script = Script(one, np.zeros((2, 2)), many, many, many, many, many, many, 0, 0.0)
     return {
         "window solve": [(rounds._optimise, (crowd, bipeds, 0, newton.LIVE))],
         "tick of the crowd": [(rounds.advance_all, (crowd, bipeds, w, plans, 0, 0.0, newton.LIVE, one))],
