@@ -40,11 +40,25 @@ class Cast:
         """Whether nothing more will happen."""
         return False
 
-    def snapshot(self, time: float | None = None) -> Pose:
-        """Pose of all characters at `time` [s], by default now; any time within the last steps, up to now, is exact."""
-        pose = empty_pose(len(self.characters))
-        crowds.pose_all(self.crowd, self.bipeds, self.time if time is None else float(time), pose)
+    def moment(self, time: float | None) -> float:
+        """The time [s] that is shown for `time`, by default now."""
+        return self.time if time is None else float(time)
+
+    def snapshot(self, time: float | None = None, rows: np.ndarray | None = None) -> Pose:
+        """Pose of the characters `rows`, by default all, at `time` [s], by default now.
+
+        Any time within the last steps, up to now, is exact; asking changes nothing.
+        """
+        rows = np.arange(len(self.characters)) if rows is None else rows
+        pose = empty_pose(len(rows))
+        crowds.pose_all(self.crowd, self.bipeds, self.moment(time), rows, pose)
         return pose
+
+    def com(self, time: float | None = None) -> np.ndarray:
+        """Centres of mass (C, 3) of all characters at `time` [s], by default now, without posing them."""
+        com = np.empty((len(self.characters), 3))
+        crowds.com_all(self.crowd, self.moment(time), com)
+        return com
 
     def set_world(self, world: World) -> None:
         """Another state of the same world."""

@@ -17,6 +17,7 @@ from sim.performance import Performance
 from sim.recording import Recorder, load_recording
 from sim.run import run as run_headless
 from sim.simulation import Simulation
+from sim.warmup import warm_up
 from worlds.errors import InputError
 from worlds.level import level_names, load_level
 from worlds.scene import load_scene, scene_names
@@ -92,16 +93,14 @@ def _walk(options) -> int:
     def make(level=options.level, character=options.character, seed=options.seed) -> Simulation:
         return make_simulation(level, character, options.characters, seed, options.command == "river")
 
-    levels = [name for name in level_names() if (load_level(name).goal is not None) == (options.command == "river")]
-    return _show(options, make, levels)
+    return _show(options, make, level_names(with_goal=options.command == "river"))
 
 
 def _show(options, make, names: list[str]) -> int:
     """Runs what `make` makes, in a window where there is one; `names` are what the window can go on to."""
     _writable(options.record, options.screenshot, options.video)
     begin = time.perf_counter()
-    if not options.json:
-        print("Getting ready (the first start compiles for up to a minute) ...", file=sys.stderr, flush=True)
+    warm_up(options.command, lambda line: print(line, file=sys.stderr, flush=True))
     sim = make()
     sim.snapshot()
     if not options.json:

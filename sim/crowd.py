@@ -13,6 +13,7 @@ from numba import prange
 from motion import foot
 from motion.jit import jit, jit_parallel
 from motion.pose import pose_kernel
+from motion.spline import position_at
 from motion.track import Track
 
 REAL = 8
@@ -156,11 +157,21 @@ def horizon(crowd, c):
 
 
 @jit_parallel
-def pose_all(crowd, bipeds, t, pose):
-    """Poses every character at time t [s] into pose, a motion.pose.Pose of C rows."""
-    for c in prange(len(crowd.kind)):
+def pose_all(crowd, bipeds, t, rows, pose):
+    """Poses the characters `rows` (K,) at time t [s] into pose, a motion.pose.Pose of K rows."""
+    for index in prange(len(rows)):
+        k = np.int64(index)  # prange counts unsigned: every kernel would be compiled a second time for it
+        c = rows[k]
         m = crowd.curve_count[c]
         pose_kernel(
             bipeds[crowd.kind[c]], track_of(crowd, c, crowd.real[c]), crowd.curve_time[c, : m + 1],
-            crowd.control[c, : m + 1], t, pose, c,
+            crowd.control[c, : m + 1], t, pose, k,
         )  # fmt: skip
+
+
+@jit
+def com_all(crowd, t, com):
+    """Fills com (C, 3) with everyone's centre of mass at time t [s]: what can be seen, before it is posed."""
+    for c in range(len(crowd.kind)):
+        m = crowd.curve_count[c]
+        position_at(crowd.curve_time[c, : m + 1], crowd.control[c, : m + 1], t, com[c])

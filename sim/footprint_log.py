@@ -28,11 +28,11 @@ class FootprintLog:
             back = placed[who] - k  # footprints placed from this one on, the newest included
             self._chunks.append(_gather(crowd, who, crowd.real[who] - back - 2))
 
-    def arrays(self, crowd: Crowd, last: int | None = None) -> dict[str, np.ndarray]:
-        """The footprint_* arrays of a recording, in the order of their contacts; `last`: about so many of the latest."""
+    def arrays(self, crowd: Crowd) -> dict[str, np.ndarray]:
+        """The footprint_* arrays of a recording, in the order of their contacts."""
         everyone = np.arange(len(crowd.kind))
         pending = [_gather(crowd, everyone, crowd.real - 2), _gather(crowd, everyone, crowd.real - 1)]
-        chunks = (self._chunks if last is None else self._chunks[-last:]) + pending
+        chunks = self._chunks + pending
         rows = {key: np.concatenate([chunk[key] for chunk in chunks]) for key in chunks[0]}
         order = np.lexsort((rows["contact_time"], rows["character"]))
         rows = _without_standing_on({key: value[order] for key, value in rows.items()})

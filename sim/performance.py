@@ -42,10 +42,9 @@ class Performance(Cast):
         """Whether the script has ended."""
         return self.time >= self.end
 
-    def snapshot(self, time: float | None = None):
-        """Pose at `time` [s], by default now; before the beginning and after the end it stands."""
-        asked = self.time if time is None else float(time)
-        return super().snapshot(min(max(asked, 0.0), self.end - 1e-9))
+    def moment(self, time: float | None) -> float:
+        """The time [s] that is shown for `time`, by default now; before the beginning and after the end it stands."""
+        return min(max(super().moment(time), 0.0), self.end - 1e-9)
 
     def _check(self, scene: Scene) -> None:
         """A foot must leave before it lands again."""

@@ -203,7 +203,8 @@ def _advance(crowd, bipeds, w, plans, c, seed, effort):
 @jit_parallel
 def advance_all(crowd, bipeds, w, plans, seed, until, effort, placed):
     """Plans every character whose committed curve ends before `until` [s]; placed (C,) counts the new footprints."""
-    for c in prange(len(crowd.kind)):
+    for row in prange(len(crowd.kind)):
+        c = np.int64(row)  # prange counts unsigned: every kernel would be compiled a second time for it
         placed[c] = 0
         while horizon(crowd, c) < until and placed[c] < REAL - 2:
             _advance(crowd, bipeds, w, plans, c, seed, effort)

@@ -108,3 +108,14 @@ def phases(side, contact, stance, begin, end, step=1e-3):
                 on[s] = i
         rows.append((t, *on))
     return rows
+
+
+def footprint_triangles(position, heading, normal, outline):
+    """Corners (N * 3 Q, 6), position and normal, of footprints: outline (Q, 3, 2) laid on the ground, 6 mm above it."""
+    corners = []
+    for p, h, n in zip(position, heading, normal, strict=True):
+        forward = np.array([np.cos(h), np.sin(h), -(n[0] * np.cos(h) + n[1] * np.sin(h)) / n[2]])
+        forward /= np.linalg.norm(forward)
+        for x, y in outline.reshape(-1, 2):
+            corners.append([*(p + x * forward + y * np.cross(n, forward) + 0.006 * n), *n])
+    return np.array(corners)

@@ -1,5 +1,6 @@
 """Level files: a world with a start and, where it is to be crossed, a goal."""
 
+import tomllib
 from pathlib import Path
 
 from worlds import checks, ground, reading
@@ -25,9 +26,12 @@ class _Level(Ground):
     goal: _Goal | None = None
 
 
-def level_names() -> list[str]:
-    """Names of the levels that ship."""
-    return reading.names_in(LEVELS)
+def level_names(with_goal: bool | None = None) -> list[str]:
+    """Names of the levels that ship; only those with a goal, or only those without one, told without building them."""
+    names = reading.names_in(LEVELS)
+    if with_goal is None:
+        return names
+    return [n for n in names if ("goal" in tomllib.loads((LEVELS / f"{n}.toml").read_text("utf-8"))) == with_goal]
 
 
 def load_level(name_or_path: str | Path) -> World:

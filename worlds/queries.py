@@ -158,3 +158,11 @@ def ground_heights(w, points):
 def in_water(w, x, y):
     """Whether a point lies in water and on no rock."""
     return water_clearance(w, x, y) < 0 and rock_under(w, x, y, 0.0) < 0
+
+
+@jit
+def survey(w, xy, found):
+    """Fills found (N, 3): height of the ground, clearance to water, and to trees [m], at xy (N, 2)."""
+    for i in range(len(xy)):
+        x, y = xy[i, 0], xy[i, 1]
+        found[i, 0], found[i, 1], found[i, 2] = terrain_height(w, x, y), water_clearance(w, x, y), tree_clearance(w, x, y)

@@ -9,18 +9,32 @@ from sim.cast import Cast
 from sim.view import gl, picking
 from sim.view.camera import Camera
 from sim.view.plan_view import draw_plan
+from sim.view.trail import Trail
 from worlds.errors import InputError
 
 FRAME = 1 / 60
-MOST_TICKS = 6
-"""Ticks made up for in one frame after a stall; the rest of the backlog is dropped."""
+MOST_TICKS, TICKING = 6, 0.05
+"""Ticks that a frame makes up for after a stall, and seconds that it gives them; the rest of the backlog is dropped, so that
+a crowd too large for real time slows down instead of stopping the pictures."""
 CHARACTERS = ("bird", "dinosaur", "human")
+STILL = 4
+"""A press and release no more than so many pixels apart is a click, else a drag."""
 HELP = (
     "space  pause        .  single tick       [ ]  slower, faster",
     "c  character        o  overlays          f  follow      v  plan view",
     "r  restart          n  next level        tab  panel     h  help     esc  quit",
+    "a  everyone         left, right, or a click on it: the character to follow",
     "drag: orbit   wheel: zoom   G+click: goal   T+click: tree   K+click: rock   X+click: remove",
 )
+
+
+def tick_for(sim: Cast, ticks: int, seconds: float = TICKING) -> int:
+    """Lets the simulation tick, at most MOST_TICKS and not much longer than `seconds` of wall time; returns how often."""
+    begin, done = clock.perf_counter(), 0
+    while done < min(ticks, MOST_TICKS) and (done == 0 or clock.perf_counter() - begin < seconds):
+        sim.tick()
+        done += 1
+    return done
 
 
 class App:
@@ -34,23 +48,27 @@ class App:
         self.paused, self.speed, self.running = False, 1.0, True
         self.show_overlays, self.show_panel, self.show_help = True, True, False
         self.focus, self.behind, self.message = 0, 0.0, ""
+        self.in_view, self.ticking = 0, TICKING
+        self.pressed: tuple[int, int] | None = None
         self._tool: str | None = None
         self._reset_view()
 
     def _reset_view(self) -> None:
-        unit = float(self.sim.bipeds["nominal_length"][self.sim.crowd.kind[0]])
-        self.camera.distance = 6.5 * unit
-        self.camera.target = self.sim.snapshot().com[0].copy()
+        """Looks at the first character; where there are others, from so far that a crowd is seen."""
         self.focus, self.behind = 0, 0.0
+        self.camera.meet(self.sim.com(), 0, 6.5 * self._unit())
+        self.camera.follow = True
+
+    def _unit(self) -> float:
+        """Leg length of the character that is followed [m]."""
+        return float(self.sim.bipeds["nominal_length"][self.sim.crowd.kind[self.focus]])
 
     def advance(self, seconds: float) -> None:
         """Lets wall time pass: whole ticks, at most MOST_TICKS."""
         if self.paused:
             return
         self.behind += seconds * self.speed * self.sim.tick_rate
-        for _ in range(min(int(self.behind), MOST_TICKS, self.ticks_left())):
-            self.sim.tick()
-            self.behind -= 1
+        self.behind -= tick_for(self.sim, min(int(self.behind), self.ticks_left()), self.ticking)
         self.behind = min(self.behind, 1.0)
 
     def ticks_left(self) -> int:
@@ -74,7 +92,8 @@ class App:
         actions = {
             "space": self._pause, ".": self._single, "[": self._slower, "]": self._faster, "c": self._next_character,
             "o": self._overlays, "f": self._follow, "v": self._plan, "r": self.rebuild, "n": self._next_level,
-            "tab": self._panel, "h": self._help, "escape": self._quit,
+            "tab": self._panel, "h": self._help, "escape": self._quit, "a": self._everyone, "left": self._previous,
+            "right": self._next,
         }  # fmt: skip
         if name in actions:
             actions[name]()
@@ -118,6 +137,24 @@ class App:
     def _plan(self) -> None:
         self.camera.plan = not self.camera.plan
 
+    def _everyone(self) -> None:
+        """An overview: all characters in view, nobody followed."""
+        com = self.sim.com()
+        middle = 0.5 * (com.min(axis=0) + com.max(axis=0))
+        self.camera.frame(middle, float(np.linalg.norm(com - middle, axis=1).max()), 6.5 * self._unit())
+        self.camera.follow = False
+
+    def _previous(self) -> None:
+        self.follow((self.focus - 1) % len(self.sim.characters))
+
+    def _next(self) -> None:
+        self.follow((self.focus + 1) % len(self.sim.characters))
+
+    def follow(self, character: int) -> None:
+        """Follows another character; comes near where it would be too small to see."""
+        self.focus, self.camera.follow = character, True
+        self.camera.distance = min(self.camera.distance, 14.0 * self._unit())
+
     def _panel(self) -> None:
         self.show_panel = not self.show_panel
 
@@ -132,10 +169,16 @@ class App:
         self.camera.orbit(dx, dy)
 
     def click(self, x: float, y: float, aspect: float) -> None:
-        """A click at x, y in -1..1 (y up): what it does depends on the key that is held."""
-        place = picking.ground_point(self.sim.world, *self.camera.ray(x, y, aspect))
-        if self._tool and place is not None:
-            self.edit(self._tool, *place)
+        """A click at x, y in -1..1 (y up): what it does depends on the key that is held; without one it follows."""
+        ray = self.camera.ray(x, y, aspect)
+        if self._tool:
+            place = picking.ground_point(self.sim.world, *ray)
+            if place is not None:
+                self.edit(self._tool, *place)
+        else:
+            found = picking.character_at(self.sim.com(), 0.7 * self._unit(), *ray)
+            if found is not None:
+                self.follow(found)
 
     def edit(self, tool: str, x: float, y: float) -> None:
         """g: goal, t: plant a tree, k: put a rock, x: remove the nearest tree or rock. Refuses what would trap someone."""
@@ -225,8 +268,12 @@ def handle(app: App, screen, event, pygame) -> None:
     elif event.type == pygame.MOUSEMOTION and any(event.buttons):
         app.drag(*event.rel)
     elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+        app.pressed = event.pos
+    elif event.type == pygame.MOUSEBUTTONUP and event.button == 1 and app.pressed:
         width, height = screen.size
-        app.click(2 * event.pos[0] / width - 1, 1 - 2 * event.pos[1] / height, width / height)
+        if max(abs(event.pos[0] - app.pressed[0]), abs(event.pos[1] - app.pressed[1])) <= STILL:
+            app.click(2 * event.pos[0] / width - 1, 1 - 2 * event.pos[1] / height, width / height)
+        app.pressed = None
     elif event.type == pygame.VIDEORESIZE:
         screen.resize(event.size)
 
@@ -248,6 +295,7 @@ class PlanScreen:
     def __init__(self, pygame, size: tuple[int, int]) -> None:
         self.pygame, self.size = pygame, size
         self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+        self.trail = Trail(most=400)
         pygame.display.set_caption("Footfall (plan view)")
 
     def takes(self, event) -> bool:
@@ -261,7 +309,6 @@ class PlanScreen:
     def draw(self, app: App) -> None:
         """One frame."""
         app.camera.plan = True
-        pose = app.sim.snapshot()
-        app.camera.follow_point(pose.com[app.focus], FRAME)
-        draw_plan(self.surface, app.sim, np.asarray(app.camera.target[:2]), 3.0 * app.camera.distance)
+        app.camera.follow_point(app.sim.com()[app.focus], FRAME)
+        draw_plan(self.surface, app.sim, self.trail, np.asarray(app.camera.target[:2]), 3.0 * app.camera.distance)
         self.pygame.display.flip()

@@ -4,7 +4,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-NEAR, FAR = 0.1, 250.0
+NEAR, FAR = 0.1, 400.0
+FARTHEST = 120.0
+"""The camera goes no farther away than this [m]."""
+CROWD, CROWD_AWAY = 250, 4.5
+"""Characters that the first picture of a crowd shows, the nearest."""
 FIELD_OF_VIEW = np.radians(42.0)
 
 
@@ -29,9 +33,25 @@ class Camera:
         self.azimuth -= 0.006 * dx
         self.elevation = float(np.clip(self.elevation + 0.006 * dy, 0.02, 1.5))
 
+    def frame(self, centre: np.ndarray, radius: float, nearest: float) -> None:
+        """Looks at all within `radius` [m] of the centre, from no nearer than `nearest` [m]; from afar it looks down."""
+        self.target = np.array(centre, float)
+        self.distance = float(np.clip(0.7 * radius / np.tan(FIELD_OF_VIEW / 2), nearest, FARTHEST))
+        if self.distance > 2 * nearest:
+            self.elevation = max(self.elevation, 0.65)
+
+    def meet(self, com: np.ndarray, focus: int, nearest: float) -> None:
+        """Looks at a character as `frame` does; where there are others, com (C, 3), from so far that CROWD of them are seen.
+
+        It stays near enough, CROWD_AWAY times nearest, to see how they walk.
+        """
+        away = np.sort(np.linalg.norm(com - com[focus], axis=1))
+        self.frame(com[focus], float(away[: CROWD + 1][-1]), nearest)
+        self.distance = min(self.distance, CROWD_AWAY * nearest)
+
     def zoom(self, clicks: float) -> None:
         """Nearer for positive clicks of the wheel."""
-        self.distance = float(np.clip(self.distance * 0.88**clicks, 1.2, 120.0))
+        self.distance = float(np.clip(self.distance * 0.88**clicks, 1.2, FARTHEST))
 
     @property
     def eye(self) -> np.ndarray:

@@ -2,19 +2,39 @@
 
 import numpy as np
 
+COLUMNS = 12
+
 
 class Clay:
-    """Collects capsules of many characters at once: every argument is per character, (C, ...), or one for all."""
+    """Collects capsules of many characters at once: every argument is per character, (C, ...), or one for all.
 
-    def __init__(self) -> None:
-        self._parts: list[np.ndarray] = []
+    Parts that reach less than `smallest` [m] are left out, and those thinner than `thin` [m] go to the clay `thinner`.
+    The array is kept from frame to frame and only grows.
+    """
+
+    def __init__(self, thinner: "Clay | None" = None) -> None:
+        self.thinner, self.thin = thinner, 0.0
+        self._rows, self._count = np.empty((1024, COLUMNS), "f4"), 0
+        self.smallest: float = 0.0
+
+    def clear(self) -> None:
+        """Begins a frame."""
+        self._count, self.smallest, self.thin = 0, 0.0, 0.0
 
     def add(self, a: np.ndarray, ra: float, b: np.ndarray, rb: float, colour, glow: float = 0.0) -> None:
         """Capsules from a (C, 3) with radius ra to b (C, 3) with radius rb [m]."""
-        rows = np.empty((len(a), 12), "f4")
+        if self.smallest and len(a) and float(np.linalg.norm(a[0] - b[0])) + ra + rb < self.smallest:
+            return
+        if self.thinner and max(ra, rb) < self.thin:
+            self.thinner.add(a, ra, b, rb, colour, glow)
+            return
+        end = self._count + len(a)
+        if end > len(self._rows):
+            self._rows = np.concatenate([self._rows, np.empty((end, COLUMNS), "f4")])
+        rows = self._rows[self._count : end]
         rows[:, 0:3], rows[:, 3], rows[:, 4:7], rows[:, 7] = a, ra, b, rb
         rows[:, 8:11], rows[:, 11] = colour, glow
-        self._parts.append(rows)
+        self._count = end
 
     def ball(self, a: np.ndarray, radius: float, colour, glow: float = 0.0) -> None:
         """Spheres at a (C, 3)."""
@@ -26,8 +46,8 @@ class Clay:
             self.add(a, ra, b, rb, colour)
 
     def rows(self) -> np.ndarray:
-        """All capsules (N, 12)."""
-        return np.vstack(self._parts) if self._parts else np.zeros((0, 12), "f4")
+        """All capsules (N, 12), until the next `clear`."""
+        return self._rows[: self._count]
 
 
 class Frame:

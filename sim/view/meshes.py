@@ -1,58 +1,80 @@
-"""Geometry of the world: terrain, rocks, trees, water and footprints as triangles (position, normal, colour)."""
+"""Geometry of the world: terrain, rocks and water as triangles (position, normal, colour); what bodies are drawn with."""
 
 import numpy as np
 
-from worlds.queries import terrain_height, tree_clearance, water_clearance
+from worlds.queries import survey, terrain_height
 from worlds.world import World
 
 GRASS, MOSS, SAND = np.array([0.47, 0.53, 0.29]), np.array([0.36, 0.44, 0.25]), np.array([0.74, 0.68, 0.48])
-BARK, STONE = np.array([0.40, 0.29, 0.20]), np.array([0.56, 0.55, 0.53])
-LEAVES = np.array([[0.30, 0.47, 0.20], [0.37, 0.53, 0.22], [0.24, 0.41, 0.22], [0.45, 0.54, 0.22]])
+STONE = np.array([0.56, 0.55, 0.53])
 WATER_BELOW = 0.06
 """The water's surface lies this far below the banks [m]."""
 SKIRT = 25.0
 """The ground goes on this far beyond the border [m]."""
 
 
-def capsule(rings: int = 5, sides: int = 10) -> np.ndarray:
-    """Triangles (K, 4) of a capsule: unit direction about the axis z, and the share of the way (0 or 1)."""
+def capsule(rings: int = 5, sides: int = 10) -> tuple[np.ndarray, np.ndarray]:
+    """A capsule: vertices (K, 4), unit direction about the axis z and the share of the way (0 or 1); triangles (T, 3)."""
     latitudes = np.concatenate([np.linspace(-np.pi / 2, 0, rings), np.linspace(0, np.pi / 2, rings)])
     ends = np.concatenate([np.zeros(rings), np.ones(rings)])
-    around = np.linspace(0, 2 * np.pi, sides + 1)
-    grid = np.array([
-        [(np.cos(a) * np.cos(s), np.sin(a) * np.cos(s), np.sin(s), e) for a in around]
-        for s, e in zip(latitudes, ends, strict=True)
-    ])  # fmt: skip
-    return _quads(grid).reshape(-1, 4).astype("f4")
+    around = np.linspace(0, 2 * np.pi, sides + 1)[:-1]
+    vertices = [
+        (np.cos(a) * np.cos(s), np.sin(a) * np.cos(s), np.sin(s), e)
+        for s, e in zip(latitudes[1:-1], ends[1:-1], strict=True)
+        for a in around
+    ]
+    bottom, top = len(vertices), len(vertices) + 1
+    index = np.arange(bottom).reshape(2 * rings - 2, sides)
+    grid = quads(np.hstack([index, index[:, :1]])).reshape(-1, 3)
+    following = np.roll(index, -1, axis=1)
+    caps = [np.column_stack([np.full(sides, bottom), following[0], index[0]])]
+    caps.append(np.column_stack([np.full(sides, top), index[-1], following[-1]]))
+    return np.array([*vertices, (0, 0, -1, 0), (0, 0, 1, 1)], "f4"), np.vstack([grid, *caps])
 
 
-def _quads(grid: np.ndarray) -> np.ndarray:
+def lozenge() -> tuple[np.ndarray, np.ndarray]:
+    """A flat capsule that is turned to the eye, which looks along y: six corners, whose normals make it look round."""
+    lean = -0.7
+    corners = [(-1, lean, 0, 0), (1, lean, 0, 0), (1, lean, 0, 1), (-1, lean, 0, 1), (0, lean, -1, 0), (0, lean, 1, 1)]
+    return np.array(corners, "f4"), np.array([(0, 1, 2), (0, 2, 3), (4, 1, 0), (3, 2, 5)])
+
+
+def quads(grid: np.ndarray) -> np.ndarray:
+    """Two triangles per cell of a grid (A, B, ...), as (A - 1, B - 1, 6, ...)."""
     a, b, c, d = grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]
     return np.stack([a, b, c, a, c, d], axis=2)
 
 
-def _triangles(points: np.ndarray, colour: np.ndarray) -> np.ndarray:
-    """(K, 9) flat-shaded triangles from (K, 3) points and a colour (3,) or (K, 3)."""
+def flat_normals(points: np.ndarray) -> np.ndarray:
+    """(K, 3) the normal of its triangle at each of (K, 3) corners."""
     corners = points.reshape(-1, 3, 3)
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True) + 1e-12
-    colours = np.broadcast_to(colour, points.shape)
-    return np.hstack([points, np.repeat(normals, 3, axis=0), colours])
+    return np.repeat(normals / (np.linalg.norm(normals, axis=1, keepdims=True) + 1e-12), 3, axis=0)
 
 
-def ground(world: World, cells: int = 150) -> np.ndarray:
-    """The terrain, wide beyond the border, coloured by moss, and by sand along the water; hollowed under it."""
-    w = world.arrays
+def _triangles(points: np.ndarray, colour: np.ndarray) -> np.ndarray:
+    """(K, 9) flat-shaded triangles from (K, 3) points and a colour (3,) or (K, 3)."""
+    return np.hstack([points, flat_normals(points), np.broadcast_to(colour, points.shape)])
+
+
+def ground(world: World, cells: int = 150) -> tuple[np.ndarray, np.ndarray]:
+    """The terrain, wide beyond the border, coloured by moss, and by sand along the water; hollowed under it.
+
+    Vertices (K, 9) and triangles (T, 3).
+    """
     xs = np.linspace(-SKIRT, world.size[0] + SKIRT, cells)
     ys = np.linspace(-SKIRT, world.size[1] + SKIRT, cells)
     if world.rivers:  # finer, for the banks
         xs, ys = (np.linspace(-SKIRT, size + SKIRT, 2 * cells) for size in world.size)
     xy = np.stack(np.meshgrid(xs, ys), axis=-1)
-    height = np.array([terrain_height(w, x, y) for x, y in xy.reshape(-1, 2)]).reshape(xy.shape[:2])
-    wet = np.array([water_clearance(w, x, y) for x, y in xy.reshape(-1, 2)]).reshape(xy.shape[:2])
-    shade = np.array([tree_clearance(w, x, y) for x, y in xy.reshape(-1, 2)]).reshape(xy.shape[:2])
+    found = np.empty((xy.shape[0] * xy.shape[1], 3))
+    survey(world.arrays, np.ascontiguousarray(xy.reshape(-1, 2)), found)
+    height, wet, shade = np.moveaxis(found.reshape(*xy.shape[:2], 3), 2, 0)
     height = height - 0.35 * np.clip(-wet / 0.6, 0, 1) * (wet < 0)
-    patch = 0.5 + 0.25 * (np.sin(0.9 * xy[..., 0] + 0.5 * xy[..., 1]) + np.sin(1.7 * xy[..., 1] - 0.6 * xy[..., 0]))
+    x, y = xy[..., 0], xy[..., 1]
+    bent = x + 2.3 * np.sin(0.31 * y + 1.1 * np.sin(0.07 * x)), y + 2.7 * np.sin(0.23 * x + 0.9)  # so that no grid shows
+    patch = 0.5 + 0.2 * (np.sin(0.9 * bent[0] + 0.5 * bent[1]) + np.sin(1.7 * bent[1] - 0.6 * bent[0]))
+    patch += 0.25 * np.sin(0.17 * bent[0] - 0.11 * bent[1] + 1.3) * np.sin(0.09 * bent[0] + 0.19 * bent[1])
     patch = np.clip(patch + 0.5 * np.clip(1 - shade / 1.2, 0, 1), 0, 1)[..., None]
     sandy = np.clip(1 - wet / 0.8, 0, 1)[..., None]
     colours = (GRASS + patch * (MOSS - GRASS)) * (1 - sandy) + sandy * SAND
@@ -60,13 +82,12 @@ def ground(world: World, cells: int = 150) -> np.ndarray:
     dy, dx = np.gradient(height, ys, xs)
     normals = np.stack([-dx, -dy, np.ones_like(dx)], axis=2)
     normals /= np.linalg.norm(normals, axis=2, keepdims=True)
-    return _quads(np.concatenate([points, normals, colours], axis=2)).reshape(-1, 9).astype("f4")
+    index = np.arange(height.size).reshape(height.shape)
+    return np.concatenate([points, normals, colours], axis=2).reshape(-1, 9).astype("f4"), quads(index).reshape(-1, 3)
 
 
-def stairs(world: World) -> np.ndarray | None:
-    """Sharp treads and risers of a straight flight; other terrains need none."""
-    if world.terrain != "stairs":
-        return None
+def stairs(world: World) -> tuple[np.ndarray, np.ndarray]:
+    """Sharp treads and risers of a straight flight: vertices (K, 9) and triangles (T, 3)."""
     x0, rise, run, count = world.terrain_parameters[:4]
     profile = [(-SKIRT, 0.0), (x0, 0.0)]
     for k in range(int(count)):
@@ -75,7 +96,8 @@ def stairs(world: World) -> np.ndarray | None:
     line = np.array(profile)
     sides = np.array([-SKIRT, world.size[1] + SKIRT])
     grid = np.array([[(x, y, z) for x, z in line] for y in sides])
-    return _triangles(_quads(grid).reshape(-1, 3), STONE * 1.15).astype("f4")
+    flat = _triangles(quads(grid).reshape(-1, 3), STONE * 1.15).astype("f4")
+    return flat, np.arange(len(flat)).reshape(-1, 3)
 
 
 def rocks(world: World) -> np.ndarray:
@@ -92,37 +114,22 @@ def rocks(world: World) -> np.ndarray:
             [(x + radius * s * k * np.cos(a), y + radius * s * k * np.sin(a), z) for a, k in zip(around, bulge, strict=True)]
             for s, z in rings
         ])  # fmt: skip
-        parts.append(_triangles(_quads(grid[::-1]).reshape(-1, 3), STONE * rng.uniform(0.85, 1.1)))
+        parts.append(_triangles(quads(grid[::-1]).reshape(-1, 3), STONE * rng.uniform(0.85, 1.1)))
     return np.vstack(parts).astype("f4") if parts else np.zeros((0, 9), "f4")
 
 
-def trees(world: World) -> np.ndarray:
-    """Each tree a tapered trunk and two or three low crowns, turned and sized by chance."""
-    parts = []
-    for i, (x, y, radius) in enumerate(world.trees):
-        rng = np.random.default_rng(i)
-        z = terrain_height(world.arrays, x, y)
-        tall = (2.6 + 5.5 * radius) * rng.uniform(0.85, 1.2)
-        around = np.linspace(0, 2 * np.pi, 8)
-        rings = [(1.25, -0.2), (1.0, 0.25), (0.75, 0.55 * tall), (0.3, 0.9 * tall)]
-        grid = np.array([[(x + radius * s * np.cos(a), y + radius * s * np.sin(a), z + h) for a in around] for s, h in rings])
-        parts.append(_triangles(_quads(grid).reshape(-1, 3), BARK * rng.uniform(0.85, 1.15)))
-        leaf = LEAVES[i % len(LEAVES)] * rng.uniform(0.9, 1.1)
-        for share, size in ((0.62, 1.0), (0.85, 0.78), (1.06, 0.5)):
-            spread = size * (0.75 + 1.6 * radius) * rng.uniform(0.9, 1.15)
-            centre = (x + rng.normal(0, 0.12), y + rng.normal(0, 0.12), z + share * tall)
-            parts.append(_triangles(_blob(centre, spread, rng), leaf * (0.85 + 0.25 * share)))
-    return np.vstack(parts).astype("f4") if parts else np.zeros((0, 9), "f4")
-
-
-def _blob(centre, size: float, rng) -> np.ndarray:
-    latitudes, around = np.linspace(-np.pi / 2, np.pi / 2, 5), np.linspace(0, 2 * np.pi, 8) + rng.uniform(0, 1)
-    radius = size * (1 + 0.14 * rng.normal(size=(5, 7)))
+def blob(centre, size: float, rng, fine: bool = True) -> np.ndarray:
+    """(K, 3) triangles of a lump, irregular by chance, flatter than a ball."""
+    rings, sides = (5, 7) if fine else (4, 5)
+    latitudes, around = np.linspace(-np.pi / 2, np.pi / 2, rings), np.linspace(0, 2 * np.pi, sides + 1) + rng.uniform(0, 1)
+    radius = size * (1 + (0.14 if fine else 0.08) * rng.normal(size=(rings, sides)))
     radius[0], radius[-1] = radius[0, 0], radius[-1, 0]
     radius = np.hstack([radius, radius[:, :1]])
     s, a = np.meshgrid(latitudes, around, indexing="ij")
     grid = np.stack([np.cos(s) * np.cos(a), np.cos(s) * np.sin(a), 0.72 * np.sin(s)], axis=2) * radius[..., None]
-    return _quads(grid + np.array(centre)).reshape(-1, 3)
+    corners = quads(grid + np.array(centre)).reshape(-1, 3, 3)
+    flat = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) < 1e-9
+    return corners[~flat].reshape(-1, 3)
 
 
 def water(world: World) -> np.ndarray:
@@ -138,21 +145,7 @@ def water(world: World) -> np.ndarray:
             middle = a + np.linspace(0, 1, count + 1)[:, None] * (b - a)
             level = min(terrain_height(world.arrays, *p) for p in middle) - WATER_BELOW
             grid = np.array([[(*(p - across), level) for p in middle], [(*(p + across), level) for p in middle]])
-            flat = _triangles(_quads(grid[::-1]).reshape(-1, 3), np.zeros(3))
+            flat = _triangles(quads(grid[::-1]).reshape(-1, 3), np.zeros(3))
             flat[:, 3:5] = along
             parts.append(flat)
     return np.vstack(parts).astype("f4") if parts else np.zeros((0, 9), "f4")
-
-
-def prints(position: np.ndarray, heading: np.ndarray, normal: np.ndarray, outline: np.ndarray, colour) -> np.ndarray:
-    """Footprints on the ground: outline (Q, 3, 2) triangles of one foot [m], for each of N footprints."""
-    c, s = np.cos(heading), np.sin(heading)
-    forward = np.stack([c, s, -(normal[:, 0] * c + normal[:, 1] * s) / normal[:, 2]], axis=1)
-    forward /= np.linalg.norm(forward, axis=1, keepdims=True)
-    left = np.cross(normal, forward)
-    flat = outline.reshape(-1, 2)
-    points = position[:, None] + flat[None, :, :1] * forward[:, None] + flat[None, :, 1:] * left[:, None]
-    points = points + 0.006 * normal[:, None]
-    out = np.empty((len(position), len(flat), 9))
-    out[..., :3], out[..., 3:6], out[..., 6:] = points, normal[:, None], colour
-    return out.reshape(-1, 9).astype("f4")

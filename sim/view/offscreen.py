@@ -32,13 +32,16 @@ class Picture:
         self.distance = 5.2  # in nominal leg lengths
 
     def frame(self, sim: Cast, focus: int = 0, time: float | None = None) -> np.ndarray:
-        """(height, width, 3) uint8 of a moment [s], by default now."""
+        """(height, width, 3) uint8 of a moment [s], by default now: a character, and of those around it a crowd."""
         time = sim.time if time is None else time
-        pose = sim.snapshot(time)
         unit = float(sim.bipeds["nominal_length"][sim.crowd.kind[focus]])
-        self.camera.distance = self.distance * unit
-        self.camera.target = pose.com[focus] - (0, 0, 0.25 * unit)
-        self.renderer.draw(self.target, sim, pose, self.camera, time, focus)
+        self.camera.meet(sim.com(time), focus, self.distance * unit)
+        self.camera.target -= (0, 0, 0.25 * unit)
+        return self.shoot(sim, focus, time)
+
+    def shoot(self, sim: Cast, focus: int, time: float) -> np.ndarray:
+        """(height, width, 3) uint8 as the camera stands."""
+        self.renderer.draw(self.target, sim, self.camera, time, focus)
         self.ctx.copy_framebuffer(self.resolved, self.target)
         width, height = self.target.size
         return np.frombuffer(self.resolved.read(), np.uint8).reshape(height, width, 3)[::-1]

@@ -51,6 +51,8 @@ class Panel:
         sim = app.sim
         imgui.text(f"{sim.world.name}: {app.character}")
         imgui.text(f"{sim.time:6.2f} s   {rate:3.0f} frames/s")
+        if len(sim.characters) > 1:
+            imgui.text(f"character {app.focus + 1} of {len(sim.characters)}, {app.in_view} in view")
         imgui.text(f"window {sim.crowd.window_cost[app.focus, 1]:.0f} iterations")
         if imgui.button("go" if app.paused else "pause"):
             app.key("space")
@@ -60,7 +62,7 @@ class Panel:
                 app.key(key)
         if imgui.button("character"):
             app.key("c")
-        for label, key in (("overlays", "o"), ("plan", "v")):
+        for label, key in (("overlays", "o"), ("plan", "v"), ("all", "a")):
             imgui.same_line()
             if imgui.button(label):
                 app.key(key)

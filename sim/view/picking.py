@@ -8,6 +8,8 @@ from worlds.world import World
 FAR = 150.0
 TREE, ROCK, ROCK_HEIGHT = 0.3, 0.5, 0.15
 """Radius of a planted tree, radius and height of a rock that is put [m]."""
+AIM = 0.012
+"""Tangent of the angle by which a click may miss a character."""
 ROOM = 0.7
 """A tree or rock is not put this near to a foot [m]."""
 
@@ -30,6 +32,14 @@ def ground_point(world: World, origin: np.ndarray, direction: np.ndarray) -> tup
             return (float(x), float(y)) if border_clearance(world.arrays, x, y) > 0 else None
         near = float(t)
     return None
+
+
+def character_at(com: np.ndarray, size: float, origin: np.ndarray, direction: np.ndarray) -> int | None:
+    """The nearest character, com (C, 3), that a ray meets: within `size` [m], or AIM of its distance if that is more."""
+    along = (com - origin) @ direction
+    off = np.linalg.norm(com - origin - along[:, None] * direction, axis=1)
+    met = np.flatnonzero((along > 0) & (off < np.maximum(size, AIM * along)))
+    return int(met[along[met].argmin()]) if len(met) else None
 
 
 def edited(world: World, tool: str, x: float, y: float, feet: np.ndarray) -> tuple[World, str]:

@@ -21,7 +21,9 @@ def app():
     def make(level="river_easy", character="human", seed=0):
         return make_simulation(level, character, 1, seed, True)
 
-    return App(make, make(), options, ["river_easy", "river_impossible", "river_leaps"])
+    made = App(make, make(), options, ["river_easy", "river_impossible", "river_leaps"])
+    made.ticking = float("inf")  # however slow this machine
+    return made
 
 
 def test_keys_do_what_the_help_says(app):
@@ -43,6 +45,33 @@ def test_keys_do_what_the_help_says(app):
     assert "no way" in app.message and app.sim.characters[0].name == "bird"
     app.key("escape")
     assert not app.running
+
+
+def test_a_crowd_is_looked_at_as_a_whole_or_one_by_one():
+    from sim.view.app import App
+    from sim.view.detail import in_view
+
+    def make(level="forest", character="human", seed=0):
+        return make_simulation(level, character, 40, seed, False)
+
+    app = App(make, make(), argparse.Namespace(level="forest", character="human", seed=0), ["forest"])
+    assert app.camera.follow and in_view(app.camera.matrix(1.6), app.sim.com(), 0.0).mean() > 0.2
+    app.key("left")
+    assert app.focus == 39 and app.camera.distance < 15
+    app.key("right"), app.key("right")
+    assert app.focus == 1
+    app.key("a")
+    assert not app.camera.follow and in_view(app.camera.matrix(1.6), app.sim.com(), 0.0).mean() > 0.9
+    app.camera.frame(app.sim.com()[25], 0.0, 5.0)
+    app.click(0.0, 0.0, 1.6)
+    assert app.focus == 25 and app.camera.follow
+
+
+def test_slow_ticks_do_not_stop_the_pictures(app):
+    before = app.sim.ticks
+    app.ticking = 0.0
+    app.advance(1.0)
+    assert app.sim.ticks == before + 1 and app.behind <= 1.0
 
 
 def test_mouse_edits_reach_the_world(app):

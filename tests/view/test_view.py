@@ -15,7 +15,7 @@ def picture():
     from sim.view.quality import Quality
 
     try:
-        return Picture((320, 180), Quality(512, 0, 1.0))
+        return Picture((320, 180), Quality(512, 1, 0, 1.0))
     except gl.NoGL as error:
         pytest.skip(str(error))
 

@@ -1,0 +1,96 @@
+"""The first start: kernels are compiled one after the other, by plain names, and half of them in a second process.
+
+Compiled kernels are kept (motion.jit), so this happens once for these sources, this numba and this processor. Kernels are
+compiled for the types of their arguments, which a small cast provides; nothing is run. Those in HELPERS are compiled by a
+second process meanwhile: by the time that the tick needs `placing footprints`, it lies in the cache.
+"""
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import llvmlite.binding
+import numba
+import numpy as np
+
+from motion import newton
+from motion.biped import load_biped
+from motion.pose import empty_pose
+from planner import placing, search
+from planner.script import Script
+from planner.wandering import Wander
+from sim import crowd as crowds
+from sim import rounds
+from sim.cast import Cast
+from worlds import queries
+from worlds.world import World
+
+Step = tuple[str, list[tuple[Callable, tuple]]]
+ROOT = Path(__file__).resolve().parent.parent
+OURS, HELPERS = ("window solve", "tick of the crowd"), ("placing footprints", "poses", "standing", "ground")
+SCRIPTED, ROUTES = "whole tracks", "route search"
+
+
+def warm_up(command: str, tell: Callable[[str], None]) -> None:
+    """Compiles what the command needs, where it has not been yet; tell is called with a line for each kernel."""
+    ours = {"river": (*OURS, ROUTES), "play": (SCRIPTED,)}.get(command, OURS)
+    stamp = _stamp(command)
+    if stamp.exists():
+        return
+    names = (*ours, *HELPERS)
+    helper = subprocess.Popen([sys.executable, "-m", "sim.warmup", ",".join(names), ",".join(HELPERS)], cwd=ROOT)
+    try:
+        _compile(names, ours, tell)
+        helper.wait()
+    finally:
+        if helper.poll() is None:
+            helper.terminate()
+    if stamp.parent.is_dir():
+        stamp.touch()
+
+
+def _stamp(command: str) -> Path:
+    """A file that is there once the command's kernels lie in the cache."""
+    made_for = f"{numba.__version__}-{llvmlite.binding.get_host_cpu_name()}-{sys.version_info.major}{sys.version_info.minor}"
+    return Path(os.environ["NUMBA_CACHE_DIR"]) / f"warm-{command}-{made_for}"
+
+
+def _compile(names: tuple[str, ...], mine: tuple[str, ...], tell: Callable[[str], None]) -> None:
+    kernels = steps()
+    for name in mine:
+        tell(f"compiling {names.index(name) + 1} of {len(names)}: {name} ...")
+        for kernel, arguments in kernels[name]:
+            kernel.compile(tuple(numba.typeof(one) for one in arguments))  # type: ignore[attr-defined]
+
+
+def steps() -> dict[str, list[tuple[Callable, tuple]]]:
+    """Kernels by plain names, with arguments of the types that they are called with."""
+    world = World("warm-up", (10.0, 10.0), start=(5.0, 5.0))
+    cast = Cast(world, [load_biped("bird")], 0, 60)
+    crowd, bipeds, w = cast.crowd, cast.bipeds, world.arrays
+    plans = Wander().prepare(world, cast.characters, np.zeros((1, 2, 5)), np.zeros(1, np.int64), 0)
+    one, matrix, b = np.zeros(2, np.int64), np.zeros((2, 3)), bipeds[0]
+    place, many = (w, 0.0, 0.0), np.zeros(2)
+    script = Script(one, np.zeros((2, 2)), many, many, many, many, many, many, 0, 0.0)
+    return {
+        "window solve": [(rounds._optimise, (crowd, bipeds, 0, newton.LIVE))],
+        "tick of the crowd": [(rounds.advance_all, (crowd, bipeds, w, plans, 0, 0.0, newton.LIVE, one))],
+        "placing footprints": [(rounds._place, (crowd, bipeds, w, plans, 0, 0, 0, 0)), (rounds._shift, (crowd, 0))],
+        "poses": [(crowds.pose_all, (crowd, bipeds, 0.0, one, empty_pose(1))), (crowds.com_all, (crowd, 0.0, matrix))],
+        "standing": [(crowds.stand, (crowd, bipeds, 0, 0.0, 0, matrix, np.zeros(2), matrix, one))],
+        "ground": [
+            (placing.lay_sole, (b, w, 0.0, 0.0, 0.0, 0)),
+            (queries.rock_under, (*place, 0.0)),
+            (queries.survey, (w, np.zeros((2, 2)), matrix)),
+            *((kernel, place) for kernel in (queries.clearance, queries.terrain_height, queries.in_water)),
+        ],
+        ROUTES: [(search.find, (b, matrix, one, matrix, 0, 0))],
+        SCRIPTED: [(rounds.perform, (crowd, bipeds, w, 0, script, 0, False, newton.SCENE))],
+    }
+
+
+if __name__ == "__main__":
+    every, some = (tuple(names.split(",")) for names in sys.argv[1:])
+    _compile(every, some, lambda line: print(line, file=sys.stderr, flush=True))

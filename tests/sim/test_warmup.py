@@ -1,0 +1,51 @@
+"""The first start compiles kernels for the very types that they are called with later."""
+
+from unittest.mock import Mock
+
+import numpy as np
+import pytest
+
+from motion.biped import load_biped
+from planner.wandering import Wander
+from sim import crowd, rounds, warmup
+from sim.performance import Performance
+from sim.simulation import Simulation
+from worlds.level import load_level
+from worlds.scene import load_scene
+
+
+def test_nothing_is_left_to_compile():
+    kernels = [kernel for step in warmup.steps().values() for kernel, _ in step]
+    warmup._compile(tuple(warmup.steps()), tuple(warmup.steps()), lambda line: None)
+    compiled = [list(kernel.signatures) for kernel in kernels]
+    sim = Simulation(load_level("forest"), [load_biped("human")] * 3, Wander(), 1)
+    for _ in range(90):
+        sim.tick()
+    sim.snapshot(), sim.com()
+    Performance(load_scene("fig01_steps_and_a_hop"))
+    assert {rounds.advance_all, rounds.perform, crowd.pose_all, crowd.stand} <= set(kernels)
+    assert [list(kernel.signatures) for kernel in kernels] == compiled
+
+
+def test_progress_names_what_is_compiled(tmp_path, monkeypatch):
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(warmup, "steps", lambda: {name: [] for name in (*warmup.OURS, *warmup.HELPERS)})
+    helped = Mock(poll=lambda: 0)
+    monkeypatch.setattr(warmup.subprocess, "Popen", Mock(return_value=helped))
+    told: list[str] = []
+    warmup.warm_up("wander", told.append)
+    assert told == ["compiling 1 of 6: window solve ...", "compiling 2 of 6: tick of the crowd ..."]
+    helped.wait.assert_called_once()
+    warmup.warm_up("wander", told.append)
+    assert len(told) == 2
+
+
+@pytest.mark.parametrize("some", [[2, 0], [1]])
+def test_posing_some_is_posing_all(some):
+    sim = Simulation(load_level("forest"), [load_biped("bird")] * 3, Wander(), 2)
+    for _ in range(100):
+        sim.tick()
+    everyone, few = sim.snapshot(), sim.snapshot(rows=np.array(some))
+    for all_of_it, part in zip(everyone, few, strict=True):
+        np.testing.assert_array_equal(all_of_it[some], part)
+    np.testing.assert_array_equal(sim.com(), everyone.com)
