@@ -64,10 +64,8 @@ def _flight_model(w, eps):
 
 
 @jit_inline
-def _single_model(c, w, s, eps):
-    x, y, z, d, push = _leg(c, w, s)
-    if push <= 0:
-        return _flight_model(w, eps)
+def _single_model(w, leg, eps):
+    x, y, z, d, push = leg
     r0, r1, r2 = w[0] - push * x, w[1] - push * y, w[2] - push * z
     r = sqrt(r0 * r0 + r1 * r1 + r2 * r2)
     q = 1 / max(r, eps)
@@ -76,14 +74,11 @@ def _single_model(c, w, s, eps):
 
 
 @jit_inline
-def _double_model(c, w, s0, s1, eps):
-    x0, y0, z0, d0, b0 = _leg(c, w, s0)
-    x1, y1, z1, d1, b1 = _leg(c, w, s1)
-    k = x0 * x1 + y0 * y1 + z0 * z1
-    sine2 = 1 - k * k
-    if not (sine2 > _NEARLY_PARALLEL and b0 > k * b1 and b1 > k * b0):
-        return _single_model(c, w, s0 if b0 >= b1 else s1, eps)
-    inverse = 1 / sine2
+def _double_model(w, left, right, k, eps):
+    """Both legs (from _leg) carry; k = K1.K2."""
+    x0, y0, z0, d0, b0 = left
+    x1, y1, z1, d1, b1 = right
+    inverse = 1 / (1 - k * k)
     a0, a1 = (b0 - k * b1) * inverse, (b1 - k * b0) * inverse
     t = sqrt(inverse)
     n0, n1, n2 = t * (y0 * z1 - z0 * y1), t * (z0 * x1 - x0 * z1), t * (x0 * y1 - y0 * x1)
@@ -111,10 +106,17 @@ def physics_model(c, w, s0, s1, on0, on1, eps):
 
     c, w, the points of support s0, s1 and the gradient are triples; M is a lower triangle (00, 10, 11, 20, 21, 22).
     """
-    if on0 and on1:
-        return _double_model(c, w, s0, s1, eps)
+    first = on0
+    if on0 and on1:  # two-column non-negative least squares: both, or else the one that pushes more
+        left, right = _leg(c, w, s0), _leg(c, w, s1)
+        k = left[0] * right[0] + left[1] * right[1] + left[2] * right[2]
+        if 1 - k * k > _NEARLY_PARALLEL and left[4] > k * right[4] and right[4] > k * left[4]:
+            return _double_model(w, left, right, k, eps)
+        first = left[4] >= right[4]
     if on0 or on1:
-        return _single_model(c, w, s0 if on0 else s1, eps)
+        leg = _leg(c, w, s0 if first else s1)
+        if leg[4] > 0:
+            return _single_model(w, leg, eps)
     return _flight_model(w, eps)
 
 

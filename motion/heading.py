@@ -88,6 +88,5 @@ def body_headings(b, track, times, out):
         while tail + 1 < n and track.contact_time[tail + 1] <= times[k] - window:
             tail += 1
         x, y = times[k] - track.contact_time[lead], times[k] - window - track.contact_time[tail]
-        bend = 0.5 * slope[tail] if y > 0 else 0.0
-        above, below = upto[lead] + x * (value[lead] + 0.5 * slope[lead] * x), upto[tail] + y * (value[tail] + bend * y)
-        out[k] = (above - below) / window
+        rise, fall = (0.5 * slope[lead] if x > 0 else 0.0), (0.5 * slope[tail] if y > 0 else 0.0)  # level before the first
+        out[k] = (upto[lead] + x * (value[lead] + rise * x) - upto[tail] - y * (value[tail] + fall * y)) / window

@@ -91,9 +91,7 @@ def _knots(control, i, duration, axis):
 @jit_inline
 def _mix(weights, j, first, u):
     """Sum of the four knots u by their weights at sample j."""
-    return (
-        weights[j, first] * u[0] + weights[j, first + 1] * u[1] + weights[j, first + 2] * u[2] + weights[j, first + 3] * u[3]
-    )
+    return weights[j, first] * u[0] + weights[j, first + 1] * u[1] + weights[j, first + 2] * u[2] + weights[j, first + 3] * u[3]
 
 
 @jit_inline

@@ -26,7 +26,7 @@ FULL_REACH = 0.995
 ANCHOR_STIFFNESS = (10.0, 1.0)
 """Of the window's end, position [1/s/m] and velocity [s/m]: more steadies the end, and insists on a foreseen state."""
 STRIDES = 4
-"""Footprints from which on a walk repeats: twice both feet."""
+"""Footprints after which a walk repeats: twice both feet."""
 IRREGULAR = 1.5
 """Ratio of two strides' times from which on one says nothing about the other."""
 
@@ -70,13 +70,11 @@ def lay_samples(b, track, problem, support, by_step):
     for i in range(len(problem.time) - 1):
         begin, end, k = problem.time[i], problem.time[i + 1], i * (samples + 1)
         left, right = support[i, 0], support[i, 1]
-        first = max(left, right) - LOOK_BACK
-        if by_step:
-            first = np.searchsorted(track.contact_time, begin, side="right") - LOOK_BACK
+        first = max(np.searchsorted(track.contact_time, begin, side="right") - LOOK_BACK, 0) if by_step else 0
         for j in range(samples):
             t = begin + (j + 0.5) / samples * (end - begin)
             if by_step:
-                left, right = phases.support_at(track.side, track.contact_time, track.stance_time, max(first, 0), t)
+                left, right = phases.support_at(track.side, track.contact_time, track.stance_time, first, t)
             _lay_sample(b, track, stance, problem, i, j, left, right, t, stance.yaw[k + 1 + j])
             if j == 0:
                 _lay_end(b, track, stance, problem, i, 0, left, right, begin, stance.yaw[k])

@@ -1,4 +1,4 @@
-"""Solvers on the same 12-step problems: newton, greedy, scipy's L-BFGS-B where scipy is installed, and IPOPT where casadi is."""
+"""Solvers on the same 12-step problems: newton, greedy, scipy's L-BFGS-B and IPOPT, the peers only where installed."""
 
 from statistics import median
 from time import perf_counter
@@ -16,7 +16,7 @@ _SLOW = ("lbfgs", "ipopt")
 
 
 def compare(runs: int) -> dict:
-    """{"walk12": {"newton_ms", "newton_cost", "greedy_ms", ...}, ...}; with a segment per phase, "walk12_by_phase" and so on."""
+    """{"walk12": {"newton_ms", "newton_cost", "greedy_ms", ...}, ...}; with a segment per phase "walk12_by_phase", ..."""
     steps = {name: twelve_steps(**shape) for name, shape in TRACKS.items()}
     phases = {f"{name}_by_phase": twelve_steps(**shape, by_phase=True) for name, shape in TRACKS.items()}
     return {name: _compare_on(problem, runs) for name, problem in (steps | phases).items()}

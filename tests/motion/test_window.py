@@ -1,0 +1,96 @@
+"""The live window: what is laid against the foot's own kernels, the guess of its end, and E against tight solutions."""
+
+import numpy as np
+import pytest
+
+from motion import foot, heading, newton, phases, spline, window
+from motion.biped import load_biped
+from sim.bench import live
+from tests import reference
+from tests.motion.test_pose import straight_walk
+
+
+@pytest.fixture(scope="module")
+def windows():
+    return live.wander_windows("bird", seed=3)[3]
+
+
+@pytest.mark.parametrize("by_step", [False, True])
+def test_laying_asks_the_foot_and_the_heading(windows, by_step):
+    for one in windows[::16]:
+        b, track = one.b, one.track
+        problem, _ = window.build_problem(b, track, one.begin, one.end, 5, by_step)
+        for i, j in np.ndindex(problem.standing.shape[:2]):
+            t = problem.time[i] + (j + 0.5) / 5 * (problem.time[i + 1] - problem.time[i])
+            support = phases.support_at(track.side, track.contact_time, track.stance_time, 0, t)
+            check_legs(b, track, support, t, problem.standing[i, j], problem.leg_origin[i, j])
+            for leg, n in enumerate(support):
+                if n >= 0:
+                    point = foot.point_of_support(b, track, n, (t - track.contact_time[n]) / track.stance_time[n])
+                    np.testing.assert_allclose(problem.support_point[i, j, leg], point, atol=1e-12)
+            if j in (0, 4):
+                end = j // 4
+                edge = problem.time[i + end]
+                check_legs(b, track, support, edge, problem.end_standing[i, end], problem.end_origin[i, end])
+
+
+def check_legs(b, track, support, t, standing, origin):
+    yaw = heading.body_heading(b, track, t)
+    for leg, n in enumerate(support):
+        assert standing[leg] == (n >= 0)
+        if n >= 0:
+            u = min(max((t - track.contact_time[n]) / track.stance_time[n], 0.0), 1.0)
+            expected = np.array(foot.stance_ankle(b, track, n, u)) - foot.hip_offset(b, leg, yaw)
+            np.testing.assert_allclose(origin[leg], expected, atol=1e-12)
+
+
+def test_headings_at_many_times_are_those_at_each(windows):
+    one = windows[40]
+    times = np.linspace(one.track.contact_time[0] - 2.0, one.track.contact_time[-1] + 2.0, 400)
+    out = np.empty(400)
+    heading.body_headings(one.b, one.track, times, out)
+    np.testing.assert_allclose(out, [heading.body_heading(one.b, one.track, t) for t in times], atol=1e-12)
+
+
+def test_a_regular_walk_is_foreseen_exactly():
+    """On a straight walk the state four footprints on is the same one moved along: the guess finds it."""
+    b = load_biped("human").record
+    track = straight_walk(b, 12)
+    stride = track.position[8] - track.position[4]
+    later = track.contact_time[8] - track.contact_time[4]
+    old_time = np.linspace(track.contact_time[1], track.contact_time[10], 40)
+    old_control = np.random.default_rng(1).normal(size=(40, 6))
+    problem, _ = window.lay_window(b, track, track.contact_time[6], track.contact_time[11])
+    control = np.zeros((len(problem.time), 6))
+    window.begin_window(track, problem, control, old_control[0], old_time, old_control)
+    scratch, expected = np.empty(3), np.empty(6)
+    spline.evaluate(old_time, old_control, problem.time[-1] - later, expected[:3], expected[3:], scratch)
+    np.testing.assert_allclose(control[-1], expected + np.concatenate([stride, np.zeros(3)]), atol=1e-9)
+    np.testing.assert_array_equal(problem.anchor, control[-1])
+    assert (problem.anchor_stiffness > 0).all()
+
+
+def test_an_irregular_end_is_left_free():
+    b = load_biped("human").record
+    track = straight_walk(b, 12)
+    track.side[11] = track.side[10]
+    old_time, old_control = track.contact_time[1:11].copy(), np.zeros((10, 6))
+    problem, _ = window.lay_window(b, track, track.contact_time[6], track.contact_time[11])
+    control = np.zeros((len(problem.time), 6))
+    window.begin_window(track, problem, control, old_control[0], old_time, old_control)
+    assert (problem.anchor_stiffness == 0).all()
+
+
+def test_cost_of_a_window_is_its_twin(windows):
+    """The springs at its end included."""
+    one = windows[30]
+    problem, _ = window.lay_window(*one[:4])
+    control = np.zeros((len(problem.time), 6))
+    window.begin_window(one.track, problem, control, *one[4:])
+    control[1:] += np.random.default_rng(2).normal(0, 0.02, control[1:].shape)
+    assert (problem.anchor_stiffness > 0).all()
+    assert window.problems.total_cost(problem, control) == pytest.approx(reference.total_cost(problem, control), rel=1e-9)
+
+
+def test_windows_are_near_their_tight_solutions(windows):
+    assert live.over_tight(windows[::4], newton.LIVE) <= 1.03
