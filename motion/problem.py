@@ -88,9 +88,7 @@ def physics_of_sample(problem, i, j, c, w, eps):
 def comfort_of_leg(problem, i, j, leg, c):
     """motion.cost.comfort_model of one leg in sample j of segment i."""
     q, on = triple(problem.leg_origin, i, j, leg), problem.standing[i, j, leg]
-    return cost.comfort_model(
-        c, q, on, problem.nominal_length[i, j, leg], problem.max_length[leg], problem.comfort_weight
-    )
+    return cost.comfort_model(c, q, on, problem.nominal_length[i, j, leg], problem.max_length[leg], problem.comfort_weight)
 
 
 @jit

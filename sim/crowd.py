@@ -135,7 +135,7 @@ def stand(crowd, bipeds, c, first_contact, side, positions, headings, normals, r
 
 @jit
 def above_feet(b, track, control):
-    """Fills control (6,) with the com at rest, balanced over the middles of the last two soles, legs at nominal length or less."""
+    """Fills control (6,) with the com at rest, balanced over the middles of the last two soles, no leg over its nominal."""
     n = len(track.side)
     yaw = 0.5 * (track.heading[n - 2] + track.facing[n - 2] + track.heading[n - 1] + track.facing[n - 1])
     control[:] = 0.0
