@@ -38,6 +38,7 @@ FIELDS = {
     "hip_height": "height of the hips when standing: h of the timing law [m]",
     "body_radius": "to keep from trees [m]",
     "clearance": "foot above the ground at mid-swing [m]",
+    "run_lift": "how much higher the foot is lifted at a run of Froude number 1 or more [m]",
     "step_width": "between the lines of left and right footprints [m]",
     "preferred_step": "when nothing hinders [m]",
     "max_step": "longest walking step [m]",
@@ -82,7 +83,16 @@ _ANGLES = {"heel_off_angle", "heel_strike_angle", "max_turn", "takeoff_angle", "
 _ANGLES |= {"lean_speed", "pelvis_drop", "pelvis_turn", "chest_turn", "elbow_bend", "tail_rise"}
 _ANY_SIGN = {"hip_forward", "hip_up", "ankle_forward", "lean_speed", "tail_rise"}
 _ANY_SIGN |= {f"{part}_{axis}" for part in ("neck", "head", "shoulder", "tail") for axis in ("forward", "up")}
-_MAY_BE_ZERO = {"metatarsus", "gait_smoothness", "heel_off_fraction", "heel_off_angle", "lean_gain", "run_crouch", "head_bob"}
+_MAY_BE_ZERO = {
+    "metatarsus",
+    "gait_smoothness",
+    "heel_off_fraction",
+    "heel_off_angle",
+    "lean_gain",
+    "run_crouch",
+    "head_bob",
+    "run_lift",
+}
 _MAY_BE_ZERO |= {"head_steady", "shoulder_side", "upper_arm", "forearm", "arm_swing", "tail_length", "tail_sway"}
 BIPED = np.dtype([(name, np.float64) for name in FIELDS])
 

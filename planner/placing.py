@@ -4,6 +4,7 @@ from math import cos, sin, sqrt
 
 from motion import swing
 from motion.jit import jit
+from planner import timing
 from worlds import queries
 from worlds.arrays import FLAT, HEIGHTMAP, HILLS
 
@@ -65,6 +66,16 @@ def lay_swing(b, w, track, n, m):
         track.lift[m] = _lift(b, w, track, n, m)
         if track.lift[m] > 0.9 * smooth:
             track.hold[m], track.lift[m] = swing.HOLD, smooth
+    track.lift[m] += b.run_lift * _runs(b, track, n, m)
+
+
+@jit
+def _runs(b, track, n, m):
+    """How much of a run the stride from footprint n to m is: 0 at Froude number RUNS_FROM or less, 1 at 1 or more."""
+    dx, dy = track.position[m, 0] - track.position[n, 0], track.position[m, 1] - track.position[n, 1]
+    time = track.contact_time[m] - track.contact_time[n]
+    froude = (dx * dx + dy * dy) / (time * time * timing.GRAVITY * b.hip_height)
+    return min(max((froude - timing.RUNS_FROM) / (1 - timing.RUNS_FROM), 0.0), 1.0)
 
 
 @jit

@@ -100,6 +100,34 @@ def stairs(world: World) -> tuple[np.ndarray, np.ndarray]:
     return flat, np.arange(len(flat)).reshape(-1, 3)
 
 
+def spiral_stairs(world: World) -> tuple[np.ndarray, np.ndarray]:
+    """Sharp treads, risers and walls of a spiral staircase on a floor: vertices (K, 9) and triangles (T, 3)."""
+    x, y, inner, outer, rise, count = world.terrain_parameters[:6]
+    low, high = -SKIRT, max(world.size) + SKIRT
+    floor = np.array([[(low, low, 0.0), (high, low, 0.0)], [(low, high, 0.0), (high, high, 0.0)]])
+    parts = [_triangles(quads(floor).reshape(-1, 3), STONE)]
+
+    def panel(angles, low, high) -> None:
+        """A strip from the line (radius, height) low to high, over the angles; seen from where low is right of high."""
+        rows = [[(x + r * np.cos(a), y + r * np.sin(a), z) for a in angles] for r, z in (low, high)]
+        parts.append(_triangles(quads(np.array(rows)).reshape(-1, 3), STONE * (1.15 if low[1] == high[1] else 0.95)))
+
+    for k in range(1, int(count)):
+        angles, z = 2 * np.pi * np.linspace(k, k + 1, 5) / count, k * rise
+        panel(angles, (outer, z), (inner, z))
+        panel(angles, (outer, 0.0), (outer, z))
+        panel(angles, (inner, z), (inner, 0.0))
+        for a, heights in ((angles[0], ((k - 1) * rise, z)), (angles[-1], (z, 0.0 if k == count - 1 else z))):
+            side = [[(x + r * np.cos(a), y + r * np.sin(a), h) for r in (inner, outer)] for h in heights]
+            parts.append(_triangles(quads(np.array(side)).reshape(-1, 3), STONE * 0.8))
+    flat = np.vstack(parts).astype("f4")
+    return flat, np.arange(len(flat)).reshape(-1, 3)
+
+
+GROUNDS = {"stairs": stairs, "spiral_stairs": spiral_stairs}
+"""Terrains that are not smooth; the others are a `ground`."""
+
+
 def rocks(world: World) -> np.ndarray:
     """Each rock a bevelled drum with a flat top, its outline irregular outside the radius that carries."""
     parts = []

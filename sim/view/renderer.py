@@ -6,6 +6,7 @@ import numpy as np
 from sim.cast import Cast
 from sim.view import bodies, meshes, shaders
 from sim.view.camera import Camera, look_at, orthographic
+from sim.view.clay import Clay
 from sim.view.forest import Forest
 from sim.view.mesh import Mesh
 from sim.view.overlays import overlays
@@ -42,11 +43,12 @@ class Renderer:
         self.sky = self._program(shaders.SKY_VERTEX, shaders.SKY_FRAGMENT)
         self.corners = ctx.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4"))
         self._sky = ctx.vertex_array(self.sky, self.corners, "in_corner")
-        self.bodies = bodies.Bodies()
+        self.bodies, self._marks = bodies.Bodies(), Clay()
         self._clay = {
             name: Mesh(ctx, ("4f", "in_shape"), *shape, CLAY)
             for name, shape in (("fine", meshes.capsule(5, 10)), ("coarse", meshes.capsule(3, 6)), ("flat", meshes.lozenge()))
         }
+        self._overlays = Mesh(ctx, ("4f", "in_shape"), *meshes.capsule(3, 6), CLAY)
         self._forest = Forest(ctx)
         self._trail, self._prints = Trail(), list[Mesh]()
         self.shadow: moderngl.Texture | None = None
@@ -78,7 +80,7 @@ class Renderer:
         """Builds the world's geometry, where it differs from the one shown; edits rebuild only what they touch."""
         old, self._world = self._world, world
         if old is None or old.name != world.name or len(old.trees) != len(world.trees):
-            self._upload("ground", *(meshes.stairs(world) if world.terrain == "stairs" else meshes.ground(world)))
+            self._upload("ground", *meshes.GROUNDS.get(world.terrain, meshes.ground)(world))
             self._forest.plant(world)
         self._upload("rocks", meshes.rocks(world))
         self._upload("water", meshes.water(world))
@@ -103,6 +105,7 @@ class Renderer:
         _set(lit["tree"], "focus", np.array([*self._focus_com, 1.3 * unit], "f4").tobytes())
         for mesh in self._clay.values():
             self._draw_clay(lit["clay"], mesh, mesh)
+        self._draw_clay(lit["clay"], self._overlays, self._overlays)
         self._forest.draw(lit["tree"])
         self._draw_static("rocks", lit["mesh"])
         for prints in self._prints:
@@ -118,8 +121,10 @@ class Renderer:
             self.set_world(sim.world)
         self.bodies.model(sim, time, view, height)
         self._focus_com = self.bodies.com[focus]
+        self._marks.clear()
         if self.show_overlays:
-            overlays(self.bodies.coarse, sim, focus)
+            overlays(self._marks, sim, focus)
+        self._overlays.write(self._marks.rows())
         for name, mesh in self._clay.items():
             mesh.write(getattr(self.bodies, name).rows())
         self._forest.cull(view, height)
