@@ -26,7 +26,6 @@ class Problem(NamedTuple):
     fixed: np.ndarray  # (m + 1,) bool: control points that may not move
     nominal_length: np.ndarray  # (m, S, 2) of the standing legs [m]
     max_length: np.ndarray  # (2,) of the left and right leg [m]; infinite: reach does not count
-    reach_at_ends: np.ndarray  # (1,) bool: whether reach counts at the ends of segments too
     anchor: np.ndarray  # (6,) where the last control point is held by springs
     anchor_stiffness: np.ndarray  # (2,) of its position [1/s/m] and velocity [s/m]; 0: free
     comfort_weight: float  # [1/s^2/m]
@@ -45,7 +44,6 @@ def empty_problem(segments, samples, nominal_length, max_length, comfort_weight)
         np.zeros(segments + 1, np.bool_),
         np.full((segments, samples, 2), nominal_length),
         np.full(2, max_length),
-        np.ones(1, np.bool_),
         np.zeros(6),
         np.zeros(2),
         comfort_weight,
@@ -104,19 +102,10 @@ def reach_of_segment(problem, control, i):
     return e
 
 
-@jit
-def reach_of_curve(problem, control):
-    """The reach penalties of all segments."""
-    e = 0.0
-    for i in range(len(problem.time) - 1):
-        e += reach_of_segment(problem, control, i)
-    return e
-
-
 @jit_inline
 def reach_counts(problem):
-    """Whether legs can be too long at the ends of segments."""
-    return problem.reach_at_ends[0] and min(problem.max_length[0], problem.max_length[1]) < np.inf
+    """Whether legs can be too long: max_length is finite."""
+    return min(problem.max_length[0], problem.max_length[1]) < np.inf
 
 
 @jit

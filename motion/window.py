@@ -18,8 +18,6 @@ LIVE_SAMPLES = 5
 
 HARD = 0.4
 """Mean cost [m/s^2] of a window above which it gets more effort: leaps, which are rare; walking stays below."""
-TOO_FAR = 1e-3
-"""Reach penalty from which on the legs are too long: one leg by some 0.7 mm."""
 FULL_REACH = 0.995
 """Share of max_length from which on reach counts: the penalty gives a little, the leg shall not."""
 
@@ -231,17 +229,13 @@ def optimise_track(b, track, begin, end, start, finish, samples, by_step, effort
 def optimise_window(b, track, begin, end, start, old_time, old_control, effort):
     """Optimises [begin, end] from the committed state start (6,); returns (time, control, support, E, iterations).
 
-    Walking keeps within reach at the ends of its segments by itself, so that counts only where the first solve left it: its
-    stiffness costs iterations.
-
     old_time (k + 1,) and old_control (k + 1, 6) are the previous window's curve (k = 0: none, a cold start).
     """
     problem, support = lay_window(b, track, begin, end)
     control = np.zeros((len(problem.time), 6))
     begin_window(track, problem, control, start, old_time, old_control)
     e, iterations = newton.minimise(problem, control, effort)
-    problem.reach_at_ends[0] = True
-    if problems.reach_of_curve(problem, control) > TOO_FAR or e > HARD * (problem.time[-1] - problem.time[0]):
+    if e > HARD * (problem.time[-1] - problem.time[0]):
         e, more = newton.minimise(problem, control, newton.HARDER)
         iterations += more
     return problem.time, control, support, e, iterations
@@ -249,7 +243,5 @@ def optimise_window(b, track, begin, end, start, old_time, old_control, effort):
 
 @jit
 def lay_window(b, track, begin, end):
-    """Problem and support of a window, without the reach at the ends of its segments."""
-    problem, support = build_problem(b, track, begin, end, LIVE_SAMPLES, False)
-    problem.reach_at_ends[0] = False
-    return problem, support
+    """Problem and support of the live window of the time [begin, end]."""
+    return build_problem(b, track, begin, end, LIVE_SAMPLES, False)

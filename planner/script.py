@@ -57,9 +57,11 @@ def script_of(scene: Scene, prints: list[Print]) -> Script:
             rows += _standing(prints, i, prints[i + 1].side if i + 1 < len(prints) else before.side, p.stand, headings)
     columns = np.array(rows, np.float64)
     side, x, y, *rest = columns.T
+    heading, wait, step_time, stance_time, crouch, facing = (column.copy() for column in rest)
     return Script(
-        side.astype(np.int64), np.column_stack([x, y]), *(a.copy() for a in rest), SUPPORTS[scene.support], scene.stand_after
-    )
+        side.astype(np.int64), np.column_stack([x, y]), heading, wait, step_time, stance_time, crouch, facing,
+        support=SUPPORTS[scene.support], rest=scene.stand_after,
+    )  # fmt: skip
 
 
 def _unwrapped(prints: list[Print]) -> np.ndarray:

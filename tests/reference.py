@@ -55,7 +55,7 @@ def total_cost(problem, control):
             part += comfort_cost(com, *legs, problem.max_length[0], problem.comfort_weight)
             e += part * duration / samples
         for end in (0, 1):
-            if problem.fixed[i + end] or not problem.reach_at_ends[0]:
+            if problem.fixed[i + end]:
                 continue
             legs = problem.end_origin[i, end][problem.end_standing[i, end]]
             e += reach_cost(control[i + end, :3], legs, problem.max_length[0], problem.comfort_weight)

@@ -52,7 +52,8 @@ def save_image(pixels: np.ndarray, path: str | Path) -> None:
     path = Path(path)
     temporary = path.with_name(path.name + ".part")
     try:
-        Image.fromarray(pixels).save(temporary, format=Image.registered_extensions().get(path.suffix.lower(), "PNG"))
+        format = Image.registered_extensions().get(path.suffix.lower(), "PNG")
+        Image.fromarray(pixels).save(temporary, format=format, quality=90)
         os.replace(temporary, path)
     except (OSError, ValueError, KeyError) as error:
         temporary.unlink(missing_ok=True)

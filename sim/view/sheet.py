@@ -37,12 +37,12 @@ def _moment(picture: Picture, scene: Performance, t: float, azimuth: float, elev
 
 
 def write_sheets(scenes: dict[str, Performance], folder) -> list[str]:
-    """A sheet per scene as folder/NAME.png; returns the paths. Raises NoGL, InputError."""
+    """A sheet per scene as folder/NAME.jpg; returns the paths. Raises NoGL, InputError."""
     picture = Picture(CELL, Quality(1024, 4, 4, 1.0))
     picture.distance = 3.6
     paths = []
     for name, scene in scenes.items():
-        path = folder / f"{name}.png"
+        path = folder / f"{name}.jpg"
         save_image(contact_sheet(picture, scene), path)
         paths.append(str(path))
     return paths

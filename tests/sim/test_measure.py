@@ -22,7 +22,7 @@ from worlds.scene import load_scene
 
 @pytest.fixture(scope="module")
 def recorder():
-    show = Performance(load_scene("stop_from_a_run"))
+    show = Performance(load_scene("sprint"))
     recorder = Recorder(show)
     run(show, show.end, recorder, quiet=True)
     return recorder
