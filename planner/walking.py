@@ -1,0 +1,31 @@
+"""The planner of walkers: everyone goes to its own places, one after the other, around whatever stands in the way."""
+
+import numpy as np
+
+from motion.biped import Biped
+from planner import plan
+from worlds.world import World
+
+
+class WalkTo:
+    """Characters that walk to places, and stay at the last or begin `again`.
+
+    starts (C, 3): x, y, heading [m, rad]. stops (C, P, 2): the places in turn [m]. near [m]: how close is close enough on the
+    way; the last place is reached more closely. Ways are straight but for what lies near: a maze needs stops along its way.
+    """
+
+    def __init__(self, starts, stops, again: bool = False, near: float = 0.5) -> None:
+        self.places, self.stops = np.array(starts, np.float64), np.array(stops, np.float64)
+        self.again, self.near = again, near
+        if self.stops.ndim != 3 or self.places.shape != (len(self.stops), 3) or self.stops.shape[1:] != (self.stops.shape[1] or 1, 2):
+            raise ValueError(f"starts {self.places.shape} and stops {self.stops.shape}: (C, 3) and (C, P, 2), P > 0, are needed")
+
+    def starts(self, world: World, characters: list[Biped], seed: int) -> np.ndarray:
+        """(C, 3) x, y, heading."""
+        return self.places[: len(characters)]
+
+    def prepare(self, world: World, characters: list[Biped], standing: np.ndarray, begin: np.ndarray, seed: int):
+        """Plans for all; a stop that was reached stays reached."""
+        plans = plan.plans_of(plan.WALK, len(characters), 1, 1)
+        plans.again[:], plans.near[:] = self.again, self.near
+        return plans._replace(stops=self.stops)
