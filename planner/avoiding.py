@@ -26,12 +26,12 @@ from worlds import queries
 
 FORESIGHT = 2.0
 """Collisions later than this [s] do not matter."""
-CAUTION = 0.5
+CAUTION = 1.0
 """Weight of an early collision [s]: more swerves earlier and wider."""
 TURN = 0.25
 """Cost of a radian off the wanted heading."""
-LEFT = 0.04
-"""Cost of a radian to the left: people who meet head-on pass on the right."""
+LEFT, ASIDE = 0.3, 0.1
+"""Cost of a radian to the left, and of going left for every step that did not get on: who meet head-on pass on the right."""
 STAND = 0.15
 """Cost of standing with the feet apart, or of closing feet that are together."""
 LOOK, FAN = 5.0, 6
@@ -56,6 +56,8 @@ YIELD_TIME = 0.3
 """Who stands because others are in the way plans again after this time [s]."""
 TURNS, LENGTHS = 3, 4
 CANDIDATES = (2 * TURNS + 2) * LENGTHS + 3
+CLOSING = (2 * TURNS + 2) * (LENGTHS - 1) + TURNS + 1
+"""The candidate that sets the foot beside the other."""
 
 
 class Walker(NamedTuple):
@@ -95,7 +97,8 @@ def _walker(b, w, c, side, position, heading, contact_time, overlap, hindered):
     margin = min(b.body_radius + MARGIN, queries.clearance(w, x, y))
     full = b.preferred_step / timing.step_timing(b, b.preferred_step, 0.0, 0.0, False)[0]
     return Walker(
-        c, 1 - side[1], position[1, 0], position[1, 1], x, y, heading[1], rest_x, rest_y, contact_time, overlap, margin, full, hindered
+        c, 1 - side[1], position[1, 0], position[1, 1], x, y, heading[1], rest_x, rest_y, contact_time, overlap, margin,
+        full, hindered,
     )  # fmt: skip
 
 
@@ -109,7 +112,7 @@ def _step(b, me, x, y, heading):
 
 @jit
 def candidate(b, me, wish, k):
-    """Candidate k, counted from 1: turns times lengths, the wish's own turn first, then steps to the side and back."""
+    """Candidate k: lengths times turns, the wish's own turn first (0 is the wish), then steps to the side and back."""
     turn = wish.heading - me.heading
     length = hypot(wish.x - me.x, wish.y - me.y)
     kinds = 2 * TURNS + 2
@@ -175,7 +178,9 @@ def way_around(b, w, me, wish, others):
     for k in range(-FAN, FAN + 1):
         offset = 0.5 * pi * k / FAN
         vx, vy = me.full * cos(wished + offset), me.full * sin(wished + offset)
-        free = min(me.full * _soonest(others, vx, vy, look / me.full), free_way(w, me.x, me.y, wished + offset, me.margin - 0.01, look))
+        free = min(
+            me.full * _soonest(others, vx, vy, look / me.full), free_way(w, me.x, me.y, wished + offset, me.margin - 0.01, look)
+        )
         off = look * look + free * free - 2 * look * free * cos(offset) + LEFT * look * look * max(offset, 0.0)
         if off < least:
             best, least = wished + offset, off
@@ -192,7 +197,9 @@ def is_free(w, r, me, near, step):
             return False
     rest_x, rest_y = 0.5 * (me.foot_x + step.foot_x), 0.5 * (me.foot_y + step.foot_y)
     for j in near:
-        if not reservations.foot_is_free(r, j, step.foot_x, step.foot_y, r.foot_radius[me.c] + FOOT_MARGIN, me.time + step.time):
+        if not reservations.foot_is_free(
+            r, j, step.foot_x, step.foot_y, r.foot_radius[me.c] + FOOT_MARGIN, me.time + step.time
+        ):
             return False
         apart = APART * (r.body_radius[me.c] + r.body_radius[j])
         least = reservations.least_distance(r, j, me.rest_x, me.rest_y, me.time, rest_x, rest_y, me.time + step.time)
@@ -215,12 +222,15 @@ def _costs(b, me, wish, wanted, others, seed, step_number, cost):
         vx, vy = (step.x - me.x) / step.time, (step.y - me.y) / step.time
         if k == CANDIDATES:
             vx, vy = 0.0, 0.0
-        cost[k] = hypot(vx - wx, vy - wy) / me.full + TURN * abs(step.heading - facing) + LEFT * max(step.heading - me.heading, 0.0)
+        cost[k] = (
+            hypot(vx - wx, vy - wy) / me.full + TURN * abs(step.heading - facing) + LEFT * max(step.heading - me.heading, 0.0)
+        )
         cost[k] += _danger(others, vx, vy)
+        cost[k] += ASIDE * me.hindered * (vy * cos(wanted) - vx * sin(wanted)) / me.full
         cost[k] += CHANCE * me.hindered * random.uniform(seed, me.c, step_number, random.JAM + k)
     cost[CANDIDATES] += STAND + IMPATIENCE * me.hindered
     if hypot(me.x - me.rest_x, me.y - me.rest_y) < 0.1 * b.preferred_step:
-        cost[CANDIDATES - 4] += STAND
+        cost[CLOSING] += STAND
 
 
 @jit

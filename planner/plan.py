@@ -20,8 +20,8 @@ STAND_TIME = 0.5
 """A standing character plans again after this time [s]."""
 START_OVERLAP = 0.6
 """Shift of weight before the first step from standing, in pendulum times sqrt(h / g)."""
-THERE = 0.5
-"""A walker is at its last stop within this share of its preferred step."""
+THERE, CONTENT = 0.5, 0.25
+"""A walker is at its last stop within this share of its preferred step, and more for every step that others hindered."""
 
 
 class Plans(NamedTuple):
@@ -112,11 +112,11 @@ def stop_of(plans, c, reached):
 
 
 @jit
-def is_there(b, plans, c, reached, x, y):
+def is_there(b, plans, c, reached, hindered, x, y):
     """Whether character c, whose middle is at x, y, has come to the stop that it walks to."""
     stop = stop_of(plans, c, reached)
     last = not plans.again[c] and reached >= plans.stops.shape[1] - 1
-    near = THERE * b.preferred_step if last else plans.near[c]
+    near = (THERE + CONTENT * hindered) * b.preferred_step if last else plans.near[c]
     return hypot(plans.stops[c, stop, 0] - x, plans.stops[c, stop, 1] - y) < near
 
 
@@ -127,10 +127,10 @@ def avoids(plans, c):
 
 
 @jit
-def next_footprint(b, w, plans, c, seed, step, reached, side, position, heading, normal, rock):
+def next_footprint(b, w, plans, c, seed, step, reached, hindered, side, position, heading, normal, rock):
     """Footprint number `step` of character c after the last two, given as rows 0 and 1: side (2,), position (2, 3), ...
 
-    `reached` is how many stops a walker has reached.
+    `reached` is how many stops a walker has reached, `hindered` how many of its latest steps others kept from getting on.
     """
     number = step - plans.route_begin[c]
     walking = avoids(plans, c) or (plans.mode[c] == ROUTE and number < plans.route_length[c])
@@ -142,7 +142,7 @@ def next_footprint(b, w, plans, c, seed, step, reached, side, position, heading,
         return put(b, w, int(f[0]), f[1], f[2], f[3])
     x, y = middle_of(b, side[1], position[1, 0], position[1, 1], heading[1])
     if plans.mode[c] == WALK:
-        if is_there(b, plans, c, reached, x, y):
+        if is_there(b, plans, c, reached, hindered, x, y):
             return stay(side[0], position[0], heading[0], normal[0], rock[0], STAND_TIME)
         x, y, ahead = walk_step(b, w, x, y, heading[1], plans.stops[c, stop_of(plans, c, reached)], seed, c)
     else:

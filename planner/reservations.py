@@ -156,7 +156,7 @@ def least_distance(r, j, x0, y0, t0, x1, y1, t1):
 
 @jit
 def without_neighbours(r, due):
-    """Those of `due` who come before all others of it within reach: who is due first, then the lower number.
+    """Those of `due` before whom nobody of it within reach comes: first is who is due first, then the lower number.
 
     They plan at once without seeing each other, so they must be too far apart to come into each other's way.
     """

@@ -126,8 +126,8 @@ def _wish(crowd, b, w, plans, c, seed, n, step):
     """What the planner wants as footprint number `step`, at row n."""
     two = slice(n - 2, n)
     return plan.next_footprint(
-        b, w, plans, c, seed, step, crowd.reached[c], crowd.side[c, two], crowd.position[c, two], crowd.heading[c, two],
-        crowd.normal[c, two], crowd.rock[c, two],
+        b, w, plans, c, seed, step, crowd.reached[c], crowd.hindered[c], crowd.side[c, two], crowd.position[c, two],
+        crowd.heading[c, two], crowd.normal[c, two], crowd.rock[c, two],
     )  # fmt: skip
 
 
@@ -146,24 +146,36 @@ def _make_way(crowd, b, w, r, c, seed, n, wish):
 @jit
 def _place(crowd, bipeds, w, plans, r, c, seed):
     """Footprint n and the tentative ones behind it; whoever has to stand means to go on standing."""
-    b, n, step = bipeds[crowd.kind[c]], crowd.real[c], crowd.number[c]
-    wish = _wish(crowd, b, w, plans, c, seed, n, step)
-    placed = _make_way(crowd, b, w, r, c, seed, n, wish) if plan.avoids(plans, c) else wish
-    _write(crowd, bipeds, c, n, placed)
-    crowd.lift[c, n] = 0.0
-    if not placed.stands:
-        _lay_way(crowd, bipeds, w, c, n)
-    crowd.standing[c] = placed.stands
-    hindered = placed.stands and not wish.stands
-    for k in range(n + 1, n + 1 + TENTATIVE):
+    b, n = bipeds[crowd.kind[c]], crowd.real[c]
+    hindered = False
+    for k in range(n, n + 1 + TENTATIVE):
         if hindered:
-            p = plan.stay(
+            placed = plan.stay(
                 crowd.side[c, k - 2], crowd.position[c, k - 2], crowd.heading[c, k - 2], crowd.normal[c, k - 2],
-                crowd.rock[c, k - 2], placed.wait,
+                crowd.rock[c, k - 2], avoiding.YIELD_TIME,
             )  # fmt: skip
         else:
-            p = _wish(crowd, b, w, plans, c, seed, k, step + k - n)
-        _write(crowd, bipeds, c, k, p)
+            wish = _wish(crowd, b, w, plans, c, seed, k, crowd.number[c] + k - n)
+            placed = wish
+            if k == n and plan.avoids(plans, c):
+                placed = _make_way(crowd, b, w, r, c, seed, n, wish)
+                hindered = placed.stands and not wish.stands
+        _write(crowd, bipeds, c, k, placed)
+        if k == n:
+            crowd.standing[c] = placed.stands
+    crowd.lift[c, n] = 0.0
+    if not crowd.standing[c]:
+        _lay_way(crowd, bipeds, w, c, n)
+
+
+@jit
+def _reach_stop(crowd, b, plans, c, n):
+    """Counts the stop that a walker has come to, unless it is the last one to stay at."""
+    x, y = crowd.position[c, n - 1, 0], crowd.position[c, n - 1, 1]
+    x, y = plan.middle_of(b, crowd.side[c, n - 1], x, y, crowd.heading[c, n - 1])
+    more = plans.again[c] or crowd.reached[c] < plans.stops.shape[1] - 1
+    if more and plan.is_there(b, plans, c, crowd.reached[c], crowd.hindered[c], x, y):
+        crowd.reached[c] += 1
 
 
 @jit
@@ -216,11 +228,7 @@ def _advance(crowd, bipeds, w, plans, r, c, seed, effort):
     n = crowd.real[c]
     crowd.number[c] += 1
     if plans.mode[c] == plan.WALK:
-        x, y = crowd.position[c, n - 1, 0], crowd.position[c, n - 1, 1]
-        x, y = plan.middle_of(bipeds[crowd.kind[c]], crowd.side[c, n - 1], x, y, crowd.heading[c, n - 1])
-        last = not plans.again[c] and crowd.reached[c] >= plans.stops.shape[1] - 1
-        if not last and plan.is_there(bipeds[crowd.kind[c]], plans, c, crowd.reached[c], x, y):
-            crowd.reached[c] += 1
+        _reach_stop(crowd, bipeds[crowd.kind[c]], plans, c, n)
     _place(crowd, bipeds, w, plans, r, c, seed)
     crowd.real[c] = n + 1
     _optimise(crowd, bipeds, c, effort)

@@ -42,7 +42,15 @@ class Simulation(Cast):
     def _plan(self) -> None:
         until = self.time + 1e-9
         rounds.advance_all(
-            self.crowd, self.bipeds, self.world.arrays, self.plans, self.reservations, self.seed, until, self.effort, self._placed
+            self.crowd,
+            self.bipeds,
+            self.world.arrays,
+            self.plans,
+            self.reservations,
+            self.seed,
+            until,
+            self.effort,
+            self._placed,
         )
         if self._placed.any():
             self.footprints.add(self.crowd, self._placed)

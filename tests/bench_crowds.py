@@ -30,7 +30,12 @@ def main() -> None:
             sim, longest = make()
             watch = Watch(sim).run(longest)
             figures = watch.figures()
-            print(f"{name:9}{character:9}", *(f"{k} {v:.3g}," for k, v in figures.items()), f"wall {perf_counter() - begin:.0f} s", flush=True)
+            print(
+                f"{name:9}{character:9}",
+                *(f"{k} {v:.3g}," for k, v in figures.items()),
+                f"wall {perf_counter() - begin:.0f} s",
+                flush=True,
+            )
 
 
 if __name__ == "__main__":

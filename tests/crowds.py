@@ -25,21 +25,21 @@ def forest(count: int, side: float, character: str = "bird", seed: int = 1) -> S
 def streams(count: int, character: str = "bird", gap: float = 3.0, seed: int = 1) -> Simulation:
     """Two streams of `count` characters each, head-on through a gap between two walls of trees."""
     b = load_biped(character).record
-    pitch, rows = 2 * float(b.body_radius) + 0.25, 5
+    pitch, rows = 2 * float(b.body_radius) + 0.5, 4
     deep = pitch * (count // rows + 2)
     size = (2 * deep + 10.0, max(14.0, pitch * rows + 6))
     middle = size[1] / 2
-    trunks = [(size[0] / 2, y, 0.3) for y in np.arange(0.3, middle - gap / 2 - 0.29, 0.4)] + [(size[0] / 2, middle - gap / 2 - 0.3, 0.3)]
+    trunks = [(size[0] / 2, y, 0.3) for y in np.arange(0.3, middle - gap / 2 - 0.29, 0.4)] + [
+        (size[0] / 2, middle - gap / 2 - 0.3, 0.3)
+    ]
     trunks += [(x, size[1] - y, r) for x, y, r in trunks]
     place = np.array([(2 + pitch * (k // rows), middle + pitch * (k % rows - (rows - 1) / 2)) for k in range(count)])
     left = np.column_stack([place, np.zeros(count)])
     right = np.column_stack([size[0] - place[:, 0], place[:, 1], np.full(count, np.pi)])
     on = size[0] - place[:, 0].max() - 2  # the front of a stream goes farthest
-    lane = np.clip(place[:, 1], middle - gap / 2 + 1.5 * b.body_radius, middle + gap / 2 - 1.5 * b.body_radius)
-    gate = np.column_stack([np.full(count, size[0] / 2), lane])
-    stops = np.concatenate([np.stack([gate, s[:, :2] + d], axis=1) for s, d in ((left, (on, 0)), (right, (-on, 0)))])
+    stops = np.concatenate([(s[:, :2] + d)[:, None] for s, d in ((left, (on, 0)), (right, (-on, 0)))])
     world = World("gap", size, trees=np.array(trunks))
-    return Simulation(world, [load_biped(character)] * (2 * count), WalkTo(np.concatenate([left, right]), stops, near=gap / 2), seed)
+    return Simulation(world, [load_biped(character)] * (2 * count), WalkTo(np.concatenate([left, right]), stops), seed)
 
 
 def ring(count: int, radius: float, character: str = "bird", seed: int = 1) -> Simulation:
@@ -85,7 +85,9 @@ class Watch:
             self.body_overlap = max(self.body_overlap, float(share.max()))
             self.bodies_met += int((share > 0.05).sum())
         if isinstance(sim.planner, WalkTo) and not sim.planner.again:
-            there = sim.crowd.standing & (np.linalg.norm(com - sim.plans.stops[:, -1], axis=1) < 1.25 * sim.bipeds["preferred_step"][0])
+            there = sim.crowd.standing & (
+                np.linalg.norm(com - sim.plans.stops[:, -1], axis=1) < 4 * sim.bipeds["preferred_step"][0]
+            )
             self.arrived[there & np.isnan(self.arrived)] = sim.time
         moved = np.linalg.norm(com - self.anchor, axis=1) > 0.5 * self.radius
         moved |= ~np.isnan(self.arrived)
