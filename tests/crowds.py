@@ -26,20 +26,25 @@ def streams(count: int, character: str = "bird", gap: float = 3.0, seed: int = 1
     """Two streams of `count` characters each, head-on through a gap between two walls of trees."""
     b = load_biped(character).record
     pitch, rows = 2 * float(b.body_radius) + 0.5, 4
-    deep = pitch * (count // rows + 2)
-    size = (2 * deep + 10.0, max(14.0, pitch * rows + 6))
+    columns = -(-count // rows)
+    size = (2 * (2 * pitch * columns + 5.0), max(14.0, 2 * pitch * rows + 6))
     middle = size[1] / 2
     trunks = [(size[0] / 2, y, 0.3) for y in np.arange(0.3, middle - gap / 2 - 0.29, 0.4)] + [
         (size[0] / 2, middle - gap / 2 - 0.3, 0.3)
     ]
     trunks += [(x, size[1] - y, r) for x, y, r in trunks]
-    place = np.array([(2 + pitch * (k // rows), middle + pitch * (k % rows - (rows - 1) / 2)) for k in range(count)])
-    left = np.column_stack([place, np.zeros(count)])
-    right = np.column_stack([size[0] - place[:, 0], place[:, 1], np.full(count, np.pi)])
-    on = size[0] - place[:, 0].max() - 2  # the front of a stream goes farthest
-    stops = np.concatenate([(s[:, :2] + d)[:, None] for s, d in ((left, (on, 0)), (right, (-on, 0)))])
+    column, row = np.divmod(np.arange(count), rows)
+    from_gap, aside = 4 + pitch * (columns - 1 - column), pitch * (row - (rows - 1) / 2)
+    beyond, apart = 4 + 2 * pitch * column, 2 * aside  # the front goes farthest; there is room between those who have arrived
+    begin = np.concatenate([np.stack([-from_gap, aside, 0 * aside], 1), np.stack([from_gap, aside, 0 * aside + np.pi], 1)])
+    end = np.concatenate([np.stack([beyond, apart], 1), np.stack([-beyond, apart], 1)])
+    begin[:, :2] += size[0] / 2, middle
+    lane = np.clip(aside, 2 * b.body_radius - gap / 2, gap / 2 - 2 * b.body_radius)
+    past = 0.3 * gap  # a stop just behind the gap: whoever is shoved aside would walk at the wall
+    gate = np.concatenate([np.stack([0 * lane + past, lane], 1), np.stack([0 * lane - past, lane], 1)])
+    stops = np.stack([gate, end], axis=1) + (size[0] / 2, middle)
     world = World("gap", size, trees=np.array(trunks))
-    return Simulation(world, [load_biped(character)] * (2 * count), WalkTo(np.concatenate([left, right]), stops), seed)
+    return Simulation(world, [load_biped(character)] * (2 * count), WalkTo(begin, stops, near=0.3 * gap), seed)
 
 
 def ring(count: int, radius: float, character: str = "bird", seed: int = 1) -> Simulation:
