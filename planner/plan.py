@@ -1,33 +1,39 @@
-"""The next footprint of any character, whatever plans it: one kernel, three modes.
+"""The next footprint of any character, whatever plans it: one kernel, four modes.
 
 A planner object prepares Plans, arrays over characters; the crowd asks `next_footprint` for one footprint after the other,
-real ones and, with higher step numbers, tentative ones. Nothing else is remembered between them.
+real ones and, with higher step numbers, tentative ones. Nothing is remembered between them but how many stops a walker has
+reached, which the crowd keeps.
 """
 
-from math import cos, sin
+from math import cos, hypot, sin
 from typing import NamedTuple
 
 import numpy as np
 
 from motion.jit import jit
 from planner import placing, random
-from planner.wander import wander_step
+from planner.wander import walk_step, wander_step
 from worlds import queries
 
-WANDER, ROUTE, STAND = 0, 1, 2
+WANDER, ROUTE, STAND, WALK = 0, 1, 2, 3
 STAND_TIME = 0.5
 """A standing character plans again after this time [s]."""
 START_OVERLAP = 0.6
 """Shift of weight before the first step from standing, in pendulum times sqrt(h / g)."""
+THERE, CONTENT = 0.5, 0.25
+"""A walker is at its last stop within this share of its preferred step, and more for every step that others hindered."""
 
 
 class Plans(NamedTuple):
     """What C characters are up to."""
 
-    mode: np.ndarray  # (C,) WANDER, ROUTE or STAND
+    mode: np.ndarray  # (C,) WANDER, ROUTE, STAND or WALK
     route_begin: np.ndarray  # (C,) number of the step to the route's first footprint
     route_length: np.ndarray  # (C,)
     route: np.ndarray  # (C, R, 4) side, x, y, heading (unwrapped)
+    stops: np.ndarray  # (C, P, 2) places to walk to, one after the other
+    again: np.ndarray  # (C,) bool: from the last stop on to the first
+    near: np.ndarray  # (C,) a stop on the way is reached within this distance [m]
 
 
 class Placed(NamedTuple):
@@ -46,14 +52,23 @@ class Placed(NamedTuple):
     wait: float  # [s] until the next plan, where it stands
 
 
-def plans_of(mode: int, characters: int, routes: int = 0) -> Plans:
-    """Plans in which all characters do the same, with room for routes of that length."""
-    zero = np.zeros(characters, np.int64)
-    return Plans(np.full(characters, mode, np.int64), zero.copy(), zero, np.zeros((characters, routes, 4)))
+def plans_of(mode: int, characters: int, routes: int = 0, stops: int = 0) -> Plans:
+    """Plans in which all characters do the same, with room for routes and stops of that length."""
+    c = characters
+    return Plans(
+        np.full(c, mode, np.int64),
+        np.zeros(c, np.int64),
+        np.zeros(c, np.int64),
+        np.zeros((c, routes, 4)),
+        np.zeros((c, stops, 2)),
+        np.zeros(c, np.bool_),
+        np.zeros(c),
+    )
 
 
 @jit
-def _put(b, w, side, x, y, heading):
+def put(b, w, side, x, y, heading):
+    """Footprint of foot `side` whose sole's middle is at x, y: on a rock or the terrain."""
     rock = queries.rock_under(w, x, y, placing.EDGE)
     z, nx, ny, nz = placing.lay_sole(b, w, x, y, heading, rock)
     return Placed(side, x, y, z, heading, nx, ny, nz, rock, False, 0.0)
@@ -67,7 +82,15 @@ def middle_of(b, side, x, y, heading):
 
 
 @jit
-def _stay(w, side, position, heading, normal, rock, wait):
+def beside(b, side, x, y, heading):
+    """Where foot `side` of a walker stands whose middle is at x, y."""
+    across = -0.5 * b.step_width if side == 1 else 0.5 * b.step_width
+    return x - across * sin(heading), y + across * cos(heading)
+
+
+@jit
+def stay(side, position, heading, normal, rock, wait):
+    """The foot stands where it is for another `wait` [s]."""
     return Placed(side, position[0], position[1], position[2], heading, normal[0], normal[1], normal[2], rock, True, wait)
 
 
@@ -77,23 +100,52 @@ def scripted(b, w, script, k, track):
     n = len(track.side)
     if script.wait[k] > 0:
         rock = queries.rock_under(w, track.position[n - 2, 0], track.position[n - 2, 1], placing.EDGE)
-        return _stay(w, script.side[k], track.position[n - 2], track.heading[n - 2], track.normal[n - 2], rock, script.wait[k])
-    return _put(b, w, script.side[k], script.place[k, 0], script.place[k, 1], script.heading[k])
+        return stay(script.side[k], track.position[n - 2], track.heading[n - 2], track.normal[n - 2], rock, script.wait[k])
+    return put(b, w, script.side[k], script.place[k, 0], script.place[k, 1], script.heading[k])
 
 
 @jit
-def next_footprint(b, w, plans, c, seed, step, side, position, heading, normal, rock):
-    """Footprint number `step` of character c after the last two, given as rows 0 and 1: side (2,), position (2, 3), ..."""
+def stop_of(plans, c, reached):
+    """Which stop character c walks to after it has reached so many."""
+    stops = plans.stops.shape[1]
+    return reached % stops if plans.again[c] else min(reached, stops - 1)
+
+
+@jit
+def is_there(b, plans, c, reached, hindered, x, y):
+    """Whether character c, whose middle is at x, y, has come to the stop that it walks to."""
+    stop = stop_of(plans, c, reached)
+    last = not plans.again[c] and reached >= plans.stops.shape[1] - 1
+    near = (THERE + CONTENT * hindered) * b.preferred_step if last else plans.near[c]
+    return hypot(plans.stops[c, stop, 0] - x, plans.stops[c, stop, 1] - y) < near
+
+
+@jit
+def avoids(plans, c):
+    """Whether character c goes around others: those on a route have no choice of places."""
+    return plans.mode[c] == WANDER or plans.mode[c] == WALK
+
+
+@jit
+def next_footprint(b, w, plans, c, seed, step, reached, hindered, side, position, heading, normal, rock):
+    """Footprint number `step` of character c after the last two, given as rows 0 and 1: side (2,), position (2, 3), ...
+
+    `reached` is how many stops a walker has reached, `hindered` how many of its latest steps others kept from getting on.
+    """
     number = step - plans.route_begin[c]
-    walking = plans.mode[c] == WANDER or (plans.mode[c] == ROUTE and number < plans.route_length[c])
+    walking = avoids(plans, c) or (plans.mode[c] == ROUTE and number < plans.route_length[c])
     if step <= 2 or not walking or number < 0:
         wait = 0.3 + 0.5 * random.uniform(seed, c, step, random.WAIT) if step <= 2 else STAND_TIME
-        return _stay(w, side[0], position[0], heading[0], normal[0], rock[0], wait)
+        return stay(side[0], position[0], heading[0], normal[0], rock[0], wait)
     if plans.mode[c] == ROUTE:
         f = plans.route[c, number]
-        return _put(b, w, int(f[0]), f[1], f[2], f[3])
+        return put(b, w, int(f[0]), f[1], f[2], f[3])
     x, y = middle_of(b, side[1], position[1, 0], position[1, 1], heading[1])
-    x, y, ahead = wander_step(b, w, x, y, heading[1], seed, c, step)
-    foot = 1 - side[1]
-    across = -0.5 * b.step_width if foot == 1 else 0.5 * b.step_width
-    return _put(b, w, foot, x - across * sin(ahead), y + across * cos(ahead), ahead)
+    if plans.mode[c] == WALK:
+        if is_there(b, plans, c, reached, hindered, x, y):
+            return stay(side[0], position[0], heading[0], normal[0], rock[0], STAND_TIME)
+        x, y, ahead = walk_step(b, w, x, y, heading[1], plans.stops[c, stop_of(plans, c, reached)], seed, c)
+    else:
+        x, y, ahead = wander_step(b, w, x, y, heading[1], seed, c, step)
+    x, y = beside(b, 1 - side[1], x, y, ahead)
+    return put(b, w, 1 - side[1], x, y, ahead)

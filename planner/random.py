@@ -7,7 +7,7 @@ import numpy as np
 
 from motion.jit import jit
 
-DRIFT, SIDE, LOOK, WAIT, PLACE = range(5)
+DRIFT, SIDE, LOOK, WAIT, PLACE, JAM = range(6)
 """Purposes: two questions of the same step get unrelated numbers."""
 
 

@@ -163,7 +163,7 @@ class RockHop:
     def prepare(self, world, characters, standing, begin, seed) -> plan.Plans:
         """Plans with a route for each; standing (C, 2, 5). Raises NoWay."""
         routes = [route(world, character, standing[c]) for c, character in enumerate(characters)]
-        plans = plan.plans_of(plan.ROUTE, len(characters), max(len(r) for r in routes))
+        plans = plan.plans_of(plan.ROUTE, len(characters), max(len(r) for r in routes), 1)
         for c, found in enumerate(routes):
             plans.route[c, : len(found)] = found
             plans.route_length[c], plans.route_begin[c] = len(found), begin[c]

@@ -6,7 +6,7 @@ chance. A heading too far away is reached by short steps that turn: the place wh
 can always turn round, and is never trapped.
 """
 
-from math import cos, pi, sin
+from math import atan2, cos, hypot, pi, sin
 
 from motion.jit import jit
 from planner import random
@@ -63,16 +63,33 @@ def clear_heading(w, x, y, wanted, margin, look, right_first):
 
 
 @jit
-def wander_step(b, w, x, y, heading, seed, character, step):
-    """Next middle (x, y) and heading of the walker whose middle is at x, y: one step of wandering."""
-    room = queries.clearance(w, x, y)
-    margin = min(b.body_radius + MARGIN, room - 0.01)
-    wanted = heading + drift(seed, character, step)
-    look = b.preferred_step * LOOK_STEPS * (1 + random.uniform(seed, character, step // 4, random.LOOK))
-    right_first = random.uniform(seed, character, step // 12, random.SIDE) < 0.5
+def step_toward(b, w, x, y, heading, wanted, look, right_first):
+    """Next middle (x, y) and heading: a step toward the nearest clear heading, shorter where it turns."""
+    margin = min(b.body_radius + MARGIN, queries.clearance(w, x, y) - 0.01)
     offset, _ = clear_heading(w, x, y, wanted, margin, look, right_first)
     turn = min(max(wanted + offset - heading, -b.max_turn), b.max_turn)
     free = free_way(w, x, y, heading + turn, margin, b.preferred_step)
-    length = b.preferred_step * max(1 - 0.5 * abs(turn) / b.max_turn, 0.3)
-    length = min(length, free)
+    length = min(b.preferred_step * max(1 - 0.5 * abs(turn) / b.max_turn, 0.3), free)
     return x + length * cos(heading + turn), y + length * sin(heading + turn), heading + turn
+
+
+@jit
+def wander_step(b, w, x, y, heading, seed, character, step):
+    """Next middle (x, y) and heading of the walker whose middle is at x, y: one step of wandering."""
+    wanted = heading + drift(seed, character, step)
+    look = b.preferred_step * LOOK_STEPS * (1 + random.uniform(seed, character, step // 4, random.LOOK))
+    right_first = random.uniform(seed, character, step // 12, random.SIDE) < 0.5
+    return step_toward(b, w, x, y, heading, wanted, look, right_first)
+
+
+@jit
+def walk_step(b, w, x, y, heading, stop, seed, character):
+    """Next middle (x, y) and heading of the walker whose middle is at x, y, on its way to stop (2,), not beyond it."""
+    dx, dy = stop[0] - x, stop[1] - y
+    far = hypot(dx, dy)
+    wanted = heading + (atan2(dy, dx) - heading + pi) % (2 * pi) - pi
+    right_first = random.uniform(seed, character, 0, random.SIDE) < 0.5
+    look = min(b.preferred_step * LOOK_STEPS, far)
+    nx, ny, ahead = step_toward(b, w, x, y, heading, wanted, look, right_first)
+    share = min(far / max(hypot(nx - x, ny - y), 1e-9), 1.0)
+    return x + share * (nx - x), y + share * (ny - y), ahead

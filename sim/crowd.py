@@ -32,6 +32,8 @@ class Crowd(NamedTuple):
     kind: np.ndarray  # (C,) index into the biped table
     real: np.ndarray  # (C,) real footprints in the row
     number: np.ndarray  # (C,) how many footprints have been placed before the newest: its number
+    reached: np.ndarray  # (C,) how many of its stops a walker has reached
+    hindered: np.ndarray  # (C,) steps that others kept from getting on
     side: np.ndarray
     position: np.ndarray
     heading: np.ndarray
@@ -66,6 +68,8 @@ def empty_crowd(kind: np.ndarray, rows: int = _ROWS, segments: int = CURVE) -> C
         kind=np.ascontiguousarray(kind, np.int64),
         real=np.zeros(c, np.int64),
         number=np.zeros(c, np.int64),
+        reached=np.zeros(c, np.int64),
+        hindered=np.zeros(c, np.int64),
         side=np.zeros((c, rows), np.int64),
         position=np.zeros((c, rows, 3)),
         heading=np.zeros((c, rows)),

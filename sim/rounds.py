@@ -10,7 +10,7 @@ from numba import prange
 from motion import window
 from motion.jit import jit, jit_parallel
 from motion.phases import SHORTEST_PHASE as SLIVER
-from planner import placing, plan, timing
+from planner import avoiding, placing, plan, reservations, timing
 from planner.script import MIDDLE, ROLL
 from sim.crowd import REAL, TENTATIVE, above_feet, horizon, track_of
 
@@ -129,19 +129,60 @@ def _lay_way(crowd, bipeds, w, c, n):
 
 
 @jit
-def _place(crowd, bipeds, w, plans, c, seed, n, step):
-    """Asks the planner for footprint number `step`, writes it at row n and times it."""
-    b, two = bipeds[crowd.kind[c]], slice(n - 2, n)
-    placed = plan.next_footprint(
-        b, w, plans, c, seed, step, crowd.side[c, two], crowd.position[c, two], crowd.heading[c, two],
-        crowd.normal[c, two], crowd.rock[c, two],
+def _wish(crowd, b, w, plans, c, seed, n, step):
+    """What the planner wants as footprint number `step`, at row n."""
+    two = slice(n - 2, n)
+    return plan.next_footprint(
+        b, w, plans, c, seed, step, crowd.reached[c], crowd.hindered[c], crowd.side[c, two], crowd.position[c, two],
+        crowd.heading[c, two], crowd.normal[c, two], crowd.rock[c, two],
     )  # fmt: skip
-    _write(crowd, bipeds, c, n, placed)
-    if placed.stands:
-        crowd.lift[c, n] = 0.0
-    else:
+
+
+@jit
+def _make_way(crowd, b, w, r, c, seed, n, wish):
+    """The wish, or what is free of others instead of it."""
+    two = slice(n - 2, n)
+    overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
+    placed, crowd.hindered[c] = avoiding.make_way(
+        b, w, r, c, wish, crowd.side[c, two], crowd.position[c, two], crowd.heading[c, two], crowd.normal[c, two],
+        crowd.rock[c, two], crowd.contact_time[c, n - 1], overlap, crowd.hindered[c], seed, crowd.number[c],
+    )  # fmt: skip
+    return placed
+
+
+@jit
+def _place(crowd, bipeds, w, plans, r, c, seed):
+    """Footprint n and the tentative ones behind it; whoever has to stand means to go on standing."""
+    b, n = bipeds[crowd.kind[c]], crowd.real[c]
+    hindered = False
+    for k in range(n, n + 1 + TENTATIVE):
+        if hindered:
+            placed = plan.stay(
+                crowd.side[c, k - 2], crowd.position[c, k - 2], crowd.heading[c, k - 2], crowd.normal[c, k - 2],
+                crowd.rock[c, k - 2], avoiding.YIELD_TIME,
+            )  # fmt: skip
+        else:
+            wish = _wish(crowd, b, w, plans, c, seed, k, crowd.number[c] + k - n)
+            placed = wish
+            if k == n and plan.avoids(plans, c):
+                placed = _make_way(crowd, b, w, r, c, seed, n, wish)
+                hindered = placed.stands and not wish.stands
+        _write(crowd, bipeds, c, k, placed)
+        if k == n:
+            crowd.standing[c] = placed.stands
+    crowd.lift[c, n] = 0.0
+    if not crowd.standing[c]:
         _lay_way(crowd, bipeds, w, c, n)
-    return placed.stands
+
+
+@jit
+def _reach_stop(crowd, b, plans, c, n):
+    """Counts the stop that a walker has come to, unless it is the last one to stay at."""
+    x, y = crowd.position[c, n - 1, 0], crowd.position[c, n - 1, 1]
+    x, y = plan.middle_of(b, crowd.side[c, n - 1], x, y, crowd.heading[c, n - 1])
+    more = plans.again[c] or crowd.reached[c] < plans.stops.shape[1] - 1
+    if more and plan.is_there(b, plans, c, crowd.reached[c], crowd.hindered[c], x, y):
+        crowd.reached[c] += 1
 
 
 @jit
@@ -187,28 +228,80 @@ def _commit(crowd, c, time, control, support, until):
 
 
 @jit
-def _advance(crowd, bipeds, w, plans, c, seed, effort):
+def _advance(crowd, bipeds, w, plans, r, c, seed, effort):
     """One round of the paper's loop: footprint n, its timing, tentative footprints, step n - 1 optimised, committed."""
     if crowd.real[c] == REAL:
         _shift(crowd, c)
     n = crowd.real[c]
     crowd.number[c] += 1
-    crowd.standing[c] = _place(crowd, bipeds, w, plans, c, seed, n, crowd.number[c])
+    if plans.mode[c] == plan.WALK:
+        _reach_stop(crowd, bipeds[crowd.kind[c]], plans, c, n)
+    _place(crowd, bipeds, w, plans, r, c, seed)
     crowd.real[c] = n + 1
-    for k in range(TENTATIVE):
-        _place(crowd, bipeds, w, plans, c, seed, n + 1 + k, crowd.number[c] + 1 + k)
     _optimise(crowd, bipeds, c, effort)
 
 
+@jit
+def publish(crowd, r, c):
+    """Lets the others see what character c holds and means to do."""
+    n = crowd.real[c]
+    r.due[c] = horizon(crowd, c)
+    for k in range(reservations.FEET):
+        row = max(n - reservations.FEET + k, 0)
+        r.foot[c, k, 0], r.foot[c, k, 1] = crowd.position[c, row, 0], crowd.position[c, row, 1]
+        r.foot[c, k, 2] = np.inf if row >= n - 2 else crowd.contact_time[c, row] + crowd.stance_time[c, row]
+    for k in range(reservations.COMMITTED + reservations.TENTATIVE):
+        row = max(n - reservations.COMMITTED + k, 0)
+        before = max(row - 1, 0)
+        r.way[c, k, 0] = 0.5 * (crowd.position[c, before, 0] + crowd.position[c, row, 0])
+        r.way[c, k, 1] = 0.5 * (crowd.position[c, before, 1] + crowd.position[c, row, 1])
+        r.way[c, k, 2] = crowd.contact_time[c, row]
+
+
 @jit_parallel
-def advance_all(crowd, bipeds, w, plans, seed, until, effort, placed):
-    """Plans every character whose committed curve ends before `until` [s]; placed (C,) counts the new footprints."""
+def publish_all(crowd, r):
+    """Lets everyone see everyone: where a simulation begins, or goes on after it was restored."""
     for row in prange(len(crowd.kind)):
-        c = np.int64(row)  # prange counts unsigned: every kernel would be compiled a second time for it
-        placed[c] = 0
-        while horizon(crowd, c) < until and placed[c] < REAL - 2:
-            _advance(crowd, bipeds, w, plans, c, seed, effort)
+        publish(crowd, r, np.int64(row))  # prange counts unsigned: every kernel would be compiled a second time for it
+
+
+@jit
+def due_now(r, until, placed):
+    """The characters that must plan before `until` [s], in the order of their numbers."""
+    due = np.empty(len(r.due), np.int64)
+    count = 0
+    for c in range(len(r.due)):
+        if r.due[c] < until and placed[c] < REAL - 2:
+            due[count] = c
+            count += 1
+    return due[:count].copy()
+
+
+@jit_parallel
+def _take_turn(crowd, bipeds, w, plans, r, turn, seed, effort):
+    """All of `turn` decide against what was published before, then all publish: the order of threads does not matter."""
+    for k in prange(len(turn)):
+        _advance(crowd, bipeds, w, plans, r, turn[k], seed, effort)
+    for k in prange(len(turn)):
+        publish(crowd, r, turn[k])
+
+
+@jit
+def advance_all(crowd, bipeds, w, plans, r, seed, until, effort, placed):
+    """Plans every character whose committed curve ends before `until` [s]; placed (C,) counts the new footprints.
+
+    Neighbours who are due in the same tick take turns, as often as needed.
+    """
+    placed[:] = 0
+    due = due_now(r, until, placed)
+    if len(due) > 0:
+        reservations.sort_into_cells(r)
+    while len(due) > 0:
+        turn = reservations.without_neighbours(r, due)
+        _take_turn(crowd, bipeds, w, plans, r, turn, seed, effort)
+        for c in turn:
             placed[c] += 1
+        due = due_now(r, until, placed)
 
 
 @jit

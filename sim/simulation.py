@@ -11,6 +11,7 @@ import numpy as np
 from motion import newton
 from motion.biped import Biped
 from planner import strides
+from planner.reservations import empty_reservations
 from sim import rounds
 from sim.cast import TICK_RATE, Cast
 from worlds.world import World
@@ -29,6 +30,8 @@ class Simulation(Cast):
         # Footprint 2 is the right foot standing on: plans begin at footprint 3, when the left one is the older.
         begin = np.full(len(self.characters), 3)
         self.plans = planner.prepare(world, self.characters, self.standing_on()[:, ::-1], begin, self.seed)
+        self.reservations = empty_reservations(self.bipeds, self.crowd.kind, world.size)
+        rounds.publish_all(self.crowd, self.reservations)
         self._plan()
 
     def tick(self) -> None:
@@ -38,7 +41,17 @@ class Simulation(Cast):
 
     def _plan(self) -> None:
         until = self.time + 1e-9
-        rounds.advance_all(self.crowd, self.bipeds, self.world.arrays, self.plans, self.seed, until, self.effort, self._placed)
+        rounds.advance_all(
+            self.crowd,
+            self.bipeds,
+            self.world.arrays,
+            self.plans,
+            self.reservations,
+            self.seed,
+            until,
+            self.effort,
+            self._placed,
+        )
         if self._placed.any():
             self.footprints.add(self.crowd, self._placed)
 

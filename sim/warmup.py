@@ -19,6 +19,7 @@ from motion import newton
 from motion.biped import load_biped
 from motion.pose import empty_pose
 from planner import placing, search
+from planner.reservations import empty_reservations
 from planner.script import Script
 from planner.wandering import Wander
 from sim import crowd as crowds
@@ -71,15 +72,19 @@ def steps() -> dict[str, list[tuple[Callable, tuple]]]:
     cast = Cast(world, [load_biped("bird")], 0, 60)
     crowd, bipeds, w = cast.crowd, cast.bipeds, world.arrays
     plans = Wander().prepare(world, cast.characters, np.zeros((1, 2, 5)), np.zeros(1, np.int64), 0)
+    r = empty_reservations(bipeds, crowd.kind, world.size)
     one, matrix, b = np.zeros(2, np.int64), np.zeros((2, 3)), bipeds[0]
     place, many = (w, 0.0, 0.0), np.zeros(2)
     script = Script(one, np.zeros((2, 2)), many, many, many, many, many, many, 0, 0.0)
     return {
         "window solve": [(rounds._optimise, (crowd, bipeds, 0, newton.LIVE))],
-        "tick of the crowd": [(rounds.advance_all, (crowd, bipeds, w, plans, 0, 0.0, newton.LIVE, one))],
-        "placing footprints": [(rounds._place, (crowd, bipeds, w, plans, 0, 0, 0, 0)), (rounds._shift, (crowd, 0))],
+        "tick of the crowd": [(rounds.advance_all, (crowd, bipeds, w, plans, r, 0, 0.0, newton.LIVE, one))],
+        "placing footprints": [(rounds._place, (crowd, bipeds, w, plans, r, 0, 0)), (rounds._shift, (crowd, 0))],
         "poses": [(crowds.pose_all, (crowd, bipeds, 0.0, one, empty_pose(1))), (crowds.com_all, (crowd, 0.0, matrix))],
-        "standing": [(crowds.stand, (crowd, bipeds, 0, 0.0, 0, matrix, np.zeros(2), matrix, one))],
+        "standing": [
+            (crowds.stand, (crowd, bipeds, 0, 0.0, 0, matrix, np.zeros(2), matrix, one)),
+            (rounds.publish_all, (crowd, r)),
+        ],
         "ground": [
             (placing.lay_sole, (b, w, 0.0, 0.0, 0.0, 0)),
             (queries.rock_under, (*place, 0.0)),
