@@ -51,6 +51,10 @@ def parser() -> argparse.ArgumentParser:
     play.add_argument("--list", action="store_true", help="name the scenes that ship")
     for job in (wander, river, play):
         _common(job)
+    for job in (wander, river):
+        job.add_argument("--save", metavar="STATE.npz", help="the state at the end, to go on from")
+        job.add_argument("--restore", metavar="STATE.npz", help="go on from a saved state; --seconds counts from its beginning")
+    play.set_defaults(save=None, restore=None)
     play.set_defaults(character=None)
     sheets = commands.add_parser("sheets", help="draw a contact sheet of every scene")
     sheets.add_argument("scenes", nargs="*", metavar="SCENE", help="only these")

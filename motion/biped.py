@@ -161,11 +161,14 @@ def load_biped(name_or_path: str | Path) -> Biped:
     except ValidationError as error:
         faults = [f"{'.'.join(map(str, e['loc']))} = {e['input']!r}: {e['msg']}" for e in error.errors()]
         raise CharacterError("\n".join(f"{path}: {fault}" for fault in faults)) from None
-    return Biped(parsed.name, _record(parsed.biped.model_dump()), parsed.body)
+    values = parsed.biped.model_dump()
+    plain = {name: math.radians(values[f"{name}_deg"]) if name in _ANGLES else values[name] for name in FIELDS}
+    return Biped(parsed.name, record_of(plain), parsed.body)
 
 
-def _record(values: dict) -> np.record:
+def record_of(values: dict[str, float]) -> np.record:
+    """The record of BIPED of these dimensions [SI units, radians]."""
     table = np.zeros(1, BIPED).view(np.recarray)
     for name in FIELDS:
-        table[name] = math.radians(values[f"{name}_deg"]) if name in _ANGLES else values[name]
+        table[name] = values[name]
     return table[0]

@@ -1,0 +1,3 @@
+"""The simulation, its view, its files and its measures."""
+
+VERSION = "0.2.0"

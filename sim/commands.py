@@ -16,6 +16,7 @@ from sim.measure import in_words, measure
 from sim.performance import Performance
 from sim.recording import Recorder, load_recording
 from sim.run import run as run_headless
+from sim.saving import restore, save
 from sim.simulation import Simulation
 from sim.warmup import warm_up
 from worlds.errors import InputError
@@ -89,19 +90,22 @@ def _sheets(options) -> int:
 
 
 def _walk(options) -> int:
+    """Wandering, or crossing to a goal, from the start or from a saved state."""
 
     def make(level=options.level, character=options.character, seed=options.seed) -> Simulation:
         return make_simulation(level, character, options.characters, seed, options.command == "river")
 
-    return _show(options, make, level_names(with_goal=options.command == "river"))
+    return _show(options, make, level_names(with_goal=options.command == "river"), options.restore)
 
 
-def _show(options, make, names: list[str]) -> int:
-    """Runs what `make` makes, in a window where there is one; `names` are what the window can go on to."""
-    _writable(options.record, options.screenshot, options.video)
+def _show(options, make, names: list[str], saved: str | None = None) -> int:
+    """Runs what `make` makes, or what was saved, in a window where there is one; `names` are what the window can go on to."""
+    _writable(options.record, options.screenshot, options.video, options.save)
     begin = time.perf_counter()
     warm_up(options.command, lambda line: print(line, file=sys.stderr, flush=True))
-    sim = make()
+    sim = restore(saved) if saved else make()
+    if saved and options.seconds and options.seconds <= sim.time:
+        raise InputError(f"--seconds {options.seconds:g}: {saved} is at {sim.time:g} s already; give a later time")
     sim.snapshot()
     if not options.json:
         print(f"Ready after {time.perf_counter() - begin:.1f} s.", file=sys.stderr, flush=True)
@@ -139,7 +143,11 @@ def _headless(options, sim: Cast) -> int:
         video = VideoWriter(sim, options.video, options.size)
     try:
         summary = run_headless(
-            sim, options.seconds or getattr(sim, "end", HEADLESS_SECONDS), recorder, video.add if video else None, options.json
+            sim,
+            options.seconds or getattr(sim, "end", sim.time + HEADLESS_SECONDS),
+            recorder,
+            video.add if video else None,
+            options.json,
         )
     finally:
         if video:
@@ -150,7 +158,9 @@ def _headless(options, sim: Cast) -> int:
         from sim.view.offscreen import render_image
 
         render_image(sim, picture, options.size)
-    _tell(options, summary, [name for name in (picture, record, options.video) if name])
+    if options.save and isinstance(sim, Simulation):
+        save(sim, options.save)
+    _tell(options, summary, [name for name in (picture, record, options.video, options.save) if name])
     return DONE
 
 

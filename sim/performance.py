@@ -33,6 +33,8 @@ class Performance(Cast):
         self.cost, self.iterations = rounds.perform(self.crowd, self.bipeds, w, 0, script, SAMPLES, by_step, effort)
         self.end = float(self.crowd.curve_time[0, self.crowd.curve_count[0]])
         self._check(scene)
+        self.crowd.real[0] = 2
+        self.footprints.keep(self.crowd)
         for n in range(3, rows + 1):  # the log takes rows as if they had just been placed
             self.crowd.real[0] = n
             self.footprints.add(self.crowd, np.ones(1, np.int64))

@@ -1,9 +1,6 @@
 """Recordings: a run as arrays in one .npz file, without pickles, written whole or not at all."""
 
-import json
-import os
 import platform
-import zipfile
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -11,14 +8,14 @@ from pathlib import Path
 import numpy as np
 
 from motion.pose import Pose
+from sim import archive
 from sim.cast import Cast
-from worlds.errors import InputError
 from worlds.world import World
 
 FORMAT = 1
 RATE = 60
 """Frames per second of simulated time."""
-NEEDED = ("time", "com", "contact", "phase", "physics_cost", "footprint_position", "meta")
+NEEDED = ("time", "com", "contact", "phase", "physics_cost", "footprint_position")
 
 
 class Recorder:
@@ -26,6 +23,7 @@ class Recorder:
 
     def __init__(self, sim: Cast) -> None:
         self.sim = sim
+        sim.footprints.keep(sim.crowd)
         self.time: list[float] = []
         self.poses: list[Pose] = []
 
@@ -45,7 +43,6 @@ class Recorder:
             "tree": world.arrays.trees,
             "rock": world.arrays.rocks,
             "bounds": world.arrays.bounds,
-            "meta": np.array(json.dumps(self._meta(), sort_keys=True)),
         }
 
     def recording(self) -> "Recording":
@@ -68,15 +65,7 @@ class Recorder:
 
     def save(self, path: str | Path) -> None:
         """Writes the recording. Raises InputError where it cannot be written."""
-        path = Path(path)
-        temporary = path.with_name(path.name + ".part")
-        try:
-            with open(temporary, "wb") as file:
-                np.savez_compressed(file, allow_pickle=False, **self.arrays())  # type: ignore[arg-type]
-            os.replace(temporary, path)
-        except OSError as error:
-            temporary.unlink(missing_ok=True)
-            raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+        archive.write(path, self.arrays(), self._meta())
 
 
 @dataclass(frozen=True)
@@ -94,20 +83,4 @@ class Recording:
 
 def load_recording(path: str | Path) -> Recording:
     """Reads a recording. Raises InputError for files that are none, or damaged."""
-    path = Path(path)
-    if not path.is_file():
-        raise InputError(f"{path}: no such file; a recording is made with --record RUN.npz")
-    try:
-        with np.load(path, allow_pickle=False) as file:
-            arrays = {name: file[name] for name in file.files}
-        missing = [name for name in NEEDED if name not in arrays]
-        if missing:
-            raise InputError(f"{path}: is not a recording of Footfall: lacks {', '.join(missing)}")
-        meta = json.loads(str(arrays["meta"]))
-    except (ValueError, OSError, EOFError, zipfile.BadZipFile, KeyError, TypeError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"{path}: is not a readable recording ({error})") from None
-    if not isinstance(meta, dict) or meta.get("format") != FORMAT:
-        raise InputError(f"{path}: meta.format is not {FORMAT}; recorded by another version")
-    return Recording(arrays, meta)
+    return Recording(*archive.read(path, "a recording", "--record RUN.npz", NEEDED, FORMAT))

@@ -65,13 +65,12 @@ class _Watch:
     def summary(self) -> dict:
         """The run summary of --json. distance [m] is the mean over the characters."""
         there = ~np.isnan(self.reached)
-        placed = self.sim.footprints.arrays(self.sim.crowd)["footprint_character"]
         return {
             "level": self.sim.world.name,
             "characters": len(self.sim.characters),
             "seed": self.sim.seed,
             "seconds": self.sim.time,
-            "steps": int(len(placed) - 2 * len(self.sim.characters)),
+            "steps": self.sim.footprints.steps,
             "distance": float(self.distance.mean()),
             "reached_goal": bool(there.all()),
             "seconds_to_goal": float(self.reached.max()) if there.all() else None,

@@ -14,12 +14,13 @@ from sim.commands import make_simulation  # noqa: E402
 from worlds import queries  # noqa: E402
 
 LEVELS = ("forest", "dense_forest", "hills", "forest_river")
-CHARACTERS = ("bird", "human", "dinosaur")
+CHARACTERS = ("bird", "human", "dinosaur", "ostrich")
 
 
 def wander(level: str, character: str, seed: int, seconds: int) -> dict[str, float]:
     """Clearances of the footprints [m], share of the walking speed, physics cost [m/s^2], penetration and overreach [mm]."""
     sim = make_simulation(level, character, 1, seed, False)
+    sim.footprints.keep(sim.crowd)
     w, b, last, distance = sim.world.arrays, sim.bipeds[0], None, 0.0
     physics, deep, over = [], 0.0, 0.0
     for k in range(seconds * 60):

@@ -62,6 +62,7 @@ class Watch:
 
     def __init__(self, sim: Simulation) -> None:
         self.sim = sim
+        sim.footprints.keep(sim.crowd)
         kind = sim.crowd.kind
         self.radius = sim.bipeds["body_radius"][kind]
         self.sole = 0.5 * np.hypot(sim.bipeds["foot_length"], sim.bipeds["foot_width"])[kind]

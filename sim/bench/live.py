@@ -38,6 +38,7 @@ class Window(NamedTuple):
 def wander_windows(character: str = "human", seed: int = 1) -> tuple[Simulation, np.ndarray, np.ndarray, list[Window]]:
     """A wander of STEPS steps: the simulation, its whole curve (time, control), and the windows it solved."""
     sim = Simulation(load_level("forest"), [load_biped(character)], Wander(), seed)
+    sim.footprints.keep(sim.crowd)
     times, controls, windows = [0.0], [sim.crowd.control[0, 0].copy()], []
     while sim.crowd.number[0] < STEPS:
         before = [array[0].copy() for array in (sim.crowd.window_time, sim.crowd.window_control)]

@@ -5,7 +5,10 @@ import time as clock
 
 import numpy as np
 
+from motion.biped import character_names
 from sim.cast import Cast
+from sim.saving import save
+from sim.simulation import Simulation
 from sim.view import gl, picking
 from sim.view.camera import Camera
 from sim.view.plan_view import draw_plan
@@ -16,7 +19,6 @@ FRAME = 1 / 60
 MOST_TICKS, TICKING = 6, 0.05
 """Ticks that a frame makes up for after a stall, and seconds that it gives them; the rest of the backlog is dropped, so that
 a crowd too large for real time slows down instead of stopping the pictures."""
-CHARACTERS = ("bird", "dinosaur", "human")
 STILL = 4
 """A press and release no more than so many pixels apart is a click, else a drag."""
 HELP = (
@@ -119,8 +121,9 @@ class App:
         self.speed = min(self.speed * 2, 4.0)
 
     def _next_character(self) -> None:
-        known = self.character in CHARACTERS
-        self.character = CHARACTERS[(CHARACTERS.index(self.character) + 1) % 3] if known else CHARACTERS[0]
+        names = character_names()
+        at = names.index(self.character) if self.character in names else -1
+        self.character = names[(at + 1) % len(names)]
         self.rebuild()
 
     def _next_level(self) -> None:
@@ -224,7 +227,7 @@ def run_window(make, sim: Cast, options, levels: list[str]) -> int:
 
 
 class _Extras:
-    """--record and --screenshot of a window: the recording replays the same ticks, so it holds each of them."""
+    """--record, --save and --screenshot of a window: the recording replays the same ticks, so it holds each of them."""
 
     def __init__(self, options, sim: Cast) -> None:
         self.options = options
@@ -247,6 +250,8 @@ class _Extras:
         """Writes what was asked for."""
         if self.recorder:
             self.recorder.save(self.options.record)
+        if self.options.save and isinstance(sim, Simulation):
+            save(sim, self.options.save)
         if self.options.screenshot:
             from sim.view.offscreen import render_image
 
