@@ -71,7 +71,7 @@ def parser() -> argparse.ArgumentParser:
     timing.add_argument("--json", action="store_true")
     literature = commands.add_parser("literature", help="compare the human, walking and running on the flat, with people")
     literature.add_argument("--json", action="store_true")
-    check = commands.add_parser("check", help="check level files; names every fault")
+    check = commands.add_parser("check", help="check level, scene and character files; names every fault")
     check.add_argument("files", nargs="+", metavar="FILE")
     bench = commands.add_parser("bench", help="measure speed against other solvers")
     bench.add_argument("--json", action="store_true")

@@ -46,6 +46,10 @@ FREE_REACH, FIRM_REACH = 0.93, 0.99
 """Shares of its full length up to which a swinging leg goes freely: in the middle of its swing, and near the ends."""
 FREE_ENDS = 0.25
 """Share of the swing, at either end, over which the first gives way to the second."""
+CARRIED_FROM, CARRIED = 2.5, 4.0
+"""Swing times, in pendulum times sqrt(l / g), from which on a foot is carried with the body, and from which on wholly."""
+CARRIED_ENDS, HANGS = 0.35, (0.3, 0.72)
+"""Share of the swing, at either end, over which that sets in; where the ankle hangs, back and down from the hip, in legs."""
 VECTORS = ("hip", "knee", "hock", "ankle", "heel", "ball", "toe")
 _PAIRS = (*VECTORS, "point_of_support", "shoulder", "elbow", "hand")
 _POINTS = ("com", "com_velocity", "com_acceleration", "neck", "head")
@@ -109,6 +113,21 @@ def _fly(b, track, last, following, t, pose, c, leg):
 
 
 @jit
+def _carry(b, hip, yaw, swing_time, s, pose, c, leg):
+    """Lets a foot that swings for long, as the free one in hops on the other leg, hang behind its hip meanwhile."""
+    long = (swing_time / np.sqrt(b.nominal_length / cost.GRAVITY) - CARRIED_FROM) / (CARRIED - CARRIED_FROM)
+    if long <= 0:
+        return
+    share = (1 - swing.fade(long, 1.0)) * (1 - swing.fade(min(s, 1 - s), CARRIED_ENDS))
+    back, down = HANGS[0] * b.nominal_length, HANGS[1] * b.nominal_length
+    ankle = pose.ankle[c, leg]
+    way = (hip[0] - back * np.cos(yaw) - ankle[0], hip[1] - back * np.sin(yaw) - ankle[1], hip[2] - down - ankle[2])
+    for array in (pose.ankle, pose.heel, pose.ball, pose.toe):
+        for axis in range(3):
+            array[c, leg, axis] += share * way[axis]
+
+
+@jit
 def _limited(length, free, full):
     """A length that is its own up to `free` and comes smoothly to `full`: free + (full - free) (1 - exp(-x)), x = (length -
     free) / (full - free)."""
@@ -161,6 +180,8 @@ def _pose_leg(b, track, support, leg, yaw, t, pose, c):
             toes = _stand(b, track, following, t, pose, c, leg)
         else:
             s, toes = _fly(b, track, last, following, t, pose, c, leg)
+            swing_time = track.contact_time[following] - track.contact_time[last] - track.stance_time[last]
+            _carry(b, hip, yaw, swing_time, s, pose, c, leg)
             _keep_in_reach(b, hip, s, pose, c, leg)
             swung = swing.bump(s)
     ahead = 0.5 * (yaw + toes)

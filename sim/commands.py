@@ -19,6 +19,7 @@ from sim.run import run as run_headless
 from sim.saving import restore, save
 from sim.simulation import Simulation
 from sim.warmup import warm_up
+from worlds import reading
 from worlds.errors import InputError
 from worlds.level import level_names, load_level
 from worlds.scene import load_scene, scene_names
@@ -218,13 +219,23 @@ def _check(options) -> int:
     faults = 0
     for name in options.files:
         try:
-            world = load_level(name)
-        except InputError as error:
+            print(f"{name}: fine ({_checked(name)})")
+        except (InputError, CharacterError) as error:
             print(error, file=sys.stderr)
             faults += 1
-        else:
-            print(f"{name}: fine ({world.name}: {len(world.trees)} trees, {len(world.rocks)} rocks)")
     return BAD_INPUT if faults else DONE
+
+
+def _checked(name: str) -> str:
+    """What a level, scene or character file holds, by its tables. Raises InputError, CharacterError."""
+    tables = reading.tables_of(name)
+    if "biped" in tables:
+        return f"character {load_biped(name).name}"
+    if {"footprint", "path"} & tables:
+        show = Performance(load_scene(name))
+        return f"scene {show.scene.name}: {show.footprints.steps} steps, {show.end:.1f} s"
+    world = load_level(name)
+    return f"{world.name}: {len(world.trees)} trees, {len(world.rocks)} rocks"
 
 
 def _bench(options) -> int:

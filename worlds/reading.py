@@ -31,6 +31,16 @@ def names_in(folder: Path) -> list[str]:
     return sorted(path.stem for path in folder.glob("*.toml"))
 
 
+def tables_of(path: str | Path) -> set[str]:
+    """The names at the top of a file; none where it is no readable TOML file: whoever reads it then says what is wrong."""
+    try:
+        return (
+            set(tomllib.loads(Path(path).read_text(encoding="utf-8"))) if Path(path).stat().st_size <= LARGEST_FILE else set()
+        )
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
+        return set()
+
+
 def read_model(path: Path, model: type[Model], what: str, needs: str) -> Model:
     """The file as checked data. Raises InputError naming every fault."""
     try:
