@@ -78,7 +78,7 @@ def _play(options) -> int:
 def _sheets(options) -> int:
     """A contact sheet of every scene, or of those named."""
     from sim.view.gl import HINT, NoGL
-    from sim.view.sheet import write_sheets
+    from sim.view.sheet import write_index, write_sheets
 
     folder = Path(options.folder)
     folder.mkdir(parents=True, exist_ok=True)
@@ -86,7 +86,9 @@ def _sheets(options) -> int:
         paths = write_sheets({Path(n).stem: Performance(load_scene(n)) for n in options.scenes or scene_names()}, folder)
     except NoGL as error:
         raise InputError(f"contact sheets: {HINT} ({error})") from None
-    print(f"wrote {len(paths)} contact sheets to {folder.resolve()}")
+    if not options.scenes:
+        paths.append(write_index(folder))
+    print(f"wrote {len(paths)} files to {folder.resolve()}")
     return DONE
 
 

@@ -6,6 +6,7 @@ from PIL import Image, ImageDraw
 from sim.performance import Performance
 from sim.view.offscreen import Picture, save_image
 from sim.view.quality import Quality
+from worlds.scene import load_scene, scene_names
 
 CELL = (230, 250)
 COLUMNS = 8
@@ -46,3 +47,15 @@ def write_sheets(scenes: dict[str, Performance], folder) -> list[str]:
         save_image(contact_sheet(picture, scene), path)
         paths.append(str(path))
     return paths
+
+
+def write_index(folder) -> str:
+    """A page folder/README.md with the sheets of all scenes; returns its path."""
+    lines = ["# Scenes", "", "Made by `python main.py sheets`; played by `python main.py play NAME`."]
+    for name in scene_names():
+        scene = load_scene(name)
+        figure = f" (figure {scene.figure} of the paper)" if scene.figure else ""
+        lines += ["", f"## {name}", "", f"{scene.about}{figure}", "", f"![{scene.name}]({name}.jpg)"]
+    path = folder / "README.md"
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return str(path)
