@@ -46,6 +46,8 @@ FREE_REACH, FIRM_REACH = 0.93, 0.99
 """Shares of its full length up to which a swinging leg goes freely: in the middle of its swing, and near the ends."""
 FREE_ENDS = 0.25
 """Share of the swing, at either end, over which the first gives way to the second."""
+KNEE_TURN = 0.25
+"""Legs bend half way between body and toes, but turn no farther from the body than this [rad], so that knees keep apart."""
 CARRIED_FROM, CARRIED = 2.5, 4.0
 """Swing times, in pendulum times sqrt(l / g), from which on a foot is carried with the body, and from which on wholly."""
 CARRIED_ENDS, HANGS = 0.35, (0.3, 0.72)
@@ -184,7 +186,7 @@ def _pose_leg(b, track, support, leg, yaw, t, pose, c):
             _carry(b, hip, yaw, swing_time, s, pose, c, leg)
             _keep_in_reach(b, hip, s, pose, c, leg)
             swung = swing.bump(s)
-    ahead = 0.5 * (yaw + toes)
+    ahead = yaw + KNEE_TURN * np.tanh(0.5 * (toes - yaw) / KNEE_TURN)
     ankle = pose.ankle[c, leg]
     knee, hock = legs.joints(b, hip, (ankle[0], ankle[1], ankle[2]), (np.cos(ahead), np.sin(ahead), 0.0))
     _set(pose.knee, c, leg, knee)

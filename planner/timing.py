@@ -24,6 +24,8 @@ LEAST_SWING = 0.9
 """Shortest time for a swing, in pendulum times."""
 PUSH, LEAST_PUSH, COVER = 0.9, 0.5, 1.3
 """Stance before a leap: longest and shortest, in pendulum times, and in times that the leg's reach is crossed at its speed."""
+DESCENT_CROUCH = 0.25
+"""Share by which the nominal leg is shorter for a step one hip height down: legs bend to take it."""
 SNAP = 0.02
 """Overlaps and flights shorter than this [s] become none: a sliver of a phase is not to be seen."""
 
@@ -51,10 +53,10 @@ def duty_factor(froude, smoothness, slowest):
 
 
 @jit
-def nominal_length(b, length, step_time):
-    """Comfortable virtual leg [m] at a step of this length [m] in this time [s]: shorter in proportion to Froude."""
+def nominal_length(b, length, step_time, rise):
+    """Comfortable virtual leg [m] at a step of this length and rise [m] in this time [s]: shorter the faster, and downhill."""
     froude = (length / step_time) ** 2 / (GRAVITY * b.hip_height)
-    return b.nominal_length * (1 - b.run_crouch * min(froude, 1.0))
+    return b.nominal_length * (1 - b.run_crouch * min(froude, 1.0) - DESCENT_CROUCH * max(-rise, 0.0) / b.hip_height)
 
 
 @jit

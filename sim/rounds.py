@@ -115,7 +115,8 @@ def _time(crowd, b, c, n, stands, step, stance):
     crowd.contact_time[c, n] = crowd.contact_time[c, n - 1] + step
     crowd.step_time[c, n] = step
     crowd.stance_time[c, n] = stance
-    crowd.nominal_length[c, n] = timing.nominal_length(b, 0.0 if stands else _length(crowd, c, n), step)
+    rise = crowd.position[c, n, 2] - crowd.position[c, n - 1, 2]
+    crowd.nominal_length[c, n] = b.nominal_length if stands else timing.nominal_length(b, _length(crowd, c, n), step, rise)
 
 
 @jit
