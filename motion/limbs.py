@@ -3,7 +3,7 @@
 from math import cos, sin
 
 from motion import body, heading
-from motion.jit import jit
+from motion.jit import jit_borrowing
 
 TAIL = 6
 """Pieces of a tail."""
@@ -15,7 +15,7 @@ WHIP, FLAP = 0.22, 0.16
 """How far the tail swings sideways and up per sway, with g / 5 and g of acceleration [rad]."""
 
 
-@jit
+@jit_borrowing
 def arm(b, yaw, pitch, roll, side, leg_angle, pace):
     """(shoulder, elbow, hand), each (3,) from the com, of the arm on `side` (1 left, -1 right); leg_angle [rad] of the other
     side's leg, forward of the hip; the chest is turned by yaw, pitch, roll."""
@@ -42,7 +42,7 @@ def arm(b, yaw, pitch, roll, side, leg_angle, pace):
     )
 
 
-@jit
+@jit_borrowing
 def lay_tail(b, track, past, com, yaw, pitch, roll, t, tail):
     """Fills tail (TAIL + 1, 3), root first, world: piece k follows what the body did k + 1 delays ago."""
     x, y, z = body.turned(yaw, pitch, roll, b.tail_forward, 0.0, b.tail_up)

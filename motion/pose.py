@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motion import body, cost, foot, heading, legs, limbs, phases, spline, swing
-from motion.jit import jit
+from motion.jit import jit, jit_borrowing
 
 
 class Pose(NamedTuple):
@@ -60,7 +60,7 @@ def empty_pose(c: int) -> Pose:
     return Pose(*(np.zeros(*kinds[name]) if name in kinds else np.zeros(shapes.get(name, (c,))) for name in Pose._fields))
 
 
-@jit
+@jit_borrowing
 def footprints_at(track, leg, t):
     """(last, next) footprint of foot `leg` at time t: it stands on last, or swings from it to next; -1 for none."""
     last, following = -1, -1
@@ -73,12 +73,12 @@ def footprints_at(track, leg, t):
     return last, following
 
 
-@jit
+@jit_borrowing
 def _set(array, c, leg, point):
     array[c, leg, 0], array[c, leg, 1], array[c, leg, 2] = point
 
 
-@jit
+@jit_borrowing
 def _stand(b, track, n, t, pose, c, leg):
     """The foot on footprint n at time t; a foot whose next footprint is not known yet stays where it stands."""
     u = min(max((t - track.contact_time[n]) / track.stance_time[n], 0.0), 1.0)
@@ -92,7 +92,7 @@ def _stand(b, track, n, t, pose, c, leg):
     return yaw
 
 
-@jit
+@jit_borrowing
 def _fly(b, track, last, following, t, pose, c, leg):
     """The foot on its way from footprint `last` to `following`."""
     left = track.contact_time[last] + track.stance_time[last]
@@ -108,7 +108,7 @@ def _fly(b, track, last, following, t, pose, c, leg):
     return s, yaw
 
 
-@jit
+@jit_borrowing
 def _limited(length, free, full):
     """A length that is its own up to `free` and comes smoothly to `full`: free + (full - free) (1 - exp(-x)), x = (length -
     free) / (full - free)."""
@@ -117,7 +117,7 @@ def _limited(length, free, full):
     return free + (full - free) * (1 - np.exp((free - length) / (full - free)))
 
 
-@jit
+@jit_borrowing
 def _leg_length(b, length, s):
     """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent."""
     calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
@@ -127,7 +127,7 @@ def _leg_length(b, length, s):
     return near + calm * (_limited(length, FREE_REACH * b.max_length, b.max_length) - near)
 
 
-@jit
+@jit_borrowing
 def _keep_in_reach(b, hip, s, pose, c, leg):
     """Draws a swinging foot along the line to its hip, so that its leg is never longer or more bent than it can be."""
     ankle = pose.ankle[c, leg]
@@ -140,7 +140,7 @@ def _keep_in_reach(b, hip, s, pose, c, leg):
         array[c, leg, 2] -= share * z
 
 
-@jit
+@jit_borrowing
 def _pose_leg(b, track, support, leg, yaw, t, pose, c):
     """Poses a leg; returns how far it has swung, 0 standing to 1 in the middle of a swing."""
     n, swung = support[leg], 0.0
@@ -171,14 +171,14 @@ def _pose_leg(b, track, support, leg, yaw, t, pose, c):
     return swung
 
 
-@jit
+@jit_borrowing
 def _leg_angle(b, pose, c, leg, yaw):
     """How far the leg is ahead of its hip [rad]."""
     x, y = pose.ankle[c, leg, 0] - pose.hip[c, leg, 0], pose.ankle[c, leg, 1] - pose.hip[c, leg, 1]
     return np.arctan((np.cos(yaw) * x + np.sin(yaw) * y) / b.nominal_length)
 
 
-@jit
+@jit_borrowing
 def _turn(array, c, rotation):
     for i in range(4):
         array[c, i] = rotation[i]
@@ -218,7 +218,7 @@ def _pose_body(b, track, curve_time, control, yaw, swung, t, pose, c):
     limbs.lay_tail(b, track, past, com, yaw, pitch, roll, t, pose.tail[c])
 
 
-@jit
+@jit_borrowing
 def pose_kernel(b, track, curve_time, control, t, pose, c):
     """Fills row c of `pose` with the character b at time t [s] of its track and curve ((m + 1,), (m + 1, 6))."""
     com, acceleration = pose.com[c], pose.com_acceleration[c]
@@ -234,5 +234,7 @@ def pose_kernel(b, track, curve_time, control, t, pose, c):
     pose.comfort_cost[c] = 0.0
     for leg in range(2):
         if standing[leg]:
-            length = np.sqrt(np.sum((pose.hip[c, leg] - pose.ankle[c, leg]) ** 2))
+            x, y = pose.hip[c, leg, 0] - pose.ankle[c, leg, 0], pose.hip[c, leg, 1] - pose.ankle[c, leg, 1]
+            z = pose.hip[c, leg, 2] - pose.ankle[c, leg, 2]
+            length = np.sqrt(x * x + y * y + z * z)
             pose.comfort_cost[c] += b.comfort_weight * (length - track.nominal_length[support[leg]]) ** 2

@@ -3,7 +3,7 @@
 from math import cos, sin, sqrt
 
 from motion import swing
-from motion.jit import jit
+from motion.jit import jit_borrowing
 from planner import timing
 from worlds import queries
 from worlds.arrays import FLAT, HEIGHTMAP, HILLS
@@ -18,7 +18,7 @@ EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
 
 
-@jit
+@jit_borrowing
 def lay_sole(b, w, x, y, heading, rock):
     """(z, normal x, y, z) of a sole whose middle is at x, y: on a rock's flat top, or resting on the terrain.
 
@@ -43,7 +43,7 @@ def lay_sole(b, w, x, y, heading, rock):
     return max(middle, 0.5 * (toe + heel)), -dx / length, -dy / length, 1 / length
 
 
-@jit
+@jit_borrowing
 def forwardness(p, q, heading):
     """How far the step from p to q goes along the heading: 1 forward, -1 backward, 0 sideways or on the spot."""
     dx, dy = q[0] - p[0], q[1] - p[1]
@@ -52,7 +52,7 @@ def forwardness(p, q, heading):
     return min(max(1.25 * share, -1.0), 1.0)
 
 
-@jit
+@jit_borrowing
 def lay_swing(b, w, track, n, m):
     """Sets lift and hold of the swing from footprint n to m, after the ground between: over edges the foot goes up first.
 
@@ -69,7 +69,7 @@ def lay_swing(b, w, track, n, m):
     track.lift[m] += b.run_lift * _runs(b, track, n, m)
 
 
-@jit
+@jit_borrowing
 def _runs(b, track, n, m):
     """How much of a run the stride from footprint n to m is: 0 at Froude number RUNS_FROM or less, 1 at 1 or more."""
     dx, dy = track.position[m, 0] - track.position[n, 0], track.position[m, 1] - track.position[n, 1]
@@ -78,7 +78,7 @@ def _runs(b, track, n, m):
     return min(max((froude - timing.RUNS_FROM) / (1 - timing.RUNS_FROM), 0.0), 1.0)
 
 
-@jit
+@jit_borrowing
 def _lift(b, w, track, n, m):
     """Lift [m] with which heel, ball and toe clear the ground below by b.clearance at mid-swing."""
     lift = b.clearance
