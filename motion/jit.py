@@ -62,8 +62,8 @@ def borrowed(_, arrays):
         for i, member in enumerate(signature.return_type.types):
             if isinstance(member, numba.types.Array):
                 array = builder.extract_value(value, i)
-                owner = array.type.elements[0]
-                array = builder.insert_value(array, owner(None), 0)
+                for field, owner in enumerate(array.type.elements[:2]):  # its meminfo and its Python object
+                    array = builder.insert_value(array, owner(None), field)
                 value = builder.insert_value(value, array, i)
         return value
 

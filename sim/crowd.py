@@ -96,9 +96,14 @@ def empty_crowd(kind: np.ndarray, rows: int = _ROWS, segments: int = CURVE) -> C
     )
 
 
+def copied_track(crowd: Crowd, c: int, n: int) -> Track:
+    """The first n footprints of character c, to keep."""
+    return Track(*(getattr(crowd, name)[c, :n].copy() for name in Track._fields))
+
+
 @jit_borrowing
 def track_of(crowd, c, n):
-    """The first n footprints of character c."""
+    """The first n footprints of character c, for kernels: copied_track is for Python."""
     return borrowed(
         Track(
             crowd.side[c, :n],
