@@ -19,6 +19,8 @@ DELAY = 0.3
 """Width of the smoothing, in pendulum times sqrt(l / g): more is calmer, and later."""
 PAST = 9
 """Moments of the past that are looked at: enough for a tail of TAIL pieces, each a DELAY later."""
+RECENT = 3
+"""Those that the trunk follows."""
 LOOKS_ASIDE = 1.0
 """Largest turn of the head against the body [rad]."""
 HELD = 0.62
@@ -33,9 +35,12 @@ def delay(b):
 
 @jit_borrowing
 def past_of(b, curve_time, control, t, past):
-    """Fills past (PAST, 3) with the com now and in the last moments; before the beginning it stood there."""
+    """Fills past (PAST, 3) with the com now and in the last moments; before the beginning it stood there.
+
+    Only a tail looks further back than RECENT moments.
+    """
     step = delay(b)
-    for k in range(PAST):
+    for k in range(PAST if b.tail_length > 0 else RECENT):
         spline.position_at(curve_time, control, max(t - k * step, curve_time[0]), past[k])
 
 
@@ -113,6 +118,27 @@ def quaternion(yaw, pitch, roll):
         cy * cp * sr - sy * sp * cr,
         cy * sp * cr + sy * cp * sr,
         sy * cp * cr - cy * sp * sr,
+    )
+
+
+@jit_borrowing
+def axes(yaw, pitch, roll):
+    """(forward, left, up), each (3,) in the world, of a body turned by R = Rz(yaw) Ry(pitch) Rx(roll)."""
+    return (
+        turned(yaw, pitch, roll, 1.0, 0.0, 0.0),
+        turned(yaw, pitch, roll, 0.0, 1.0, 0.0),
+        turned(yaw, pitch, roll, 0.0, 0.0, 1.0),
+    )
+
+
+@jit_borrowing
+def along(axes, forward, left, up):
+    """The vector (forward, left, up) of a body with these axes, in the world."""
+    f, s, u = axes
+    return (
+        forward * f[0] + left * s[0] + up * u[0],
+        forward * f[1] + left * s[1] + up * u[1],
+        forward * f[2] + left * s[2] + up * u[2],
     )
 
 

@@ -209,8 +209,9 @@ def _pose_body(b, track, curve_time, control, yaw, swung, t, pose, c):
     for axis in range(3):
         pose.neck[c, axis] = com[axis] + neck[axis]
         pose.head[c, axis] = pose.neck[c, axis] + above[axis]
+    axes = body.axes(chest, pitch, roll)
     for leg in range(2):
-        joints = limbs.arm(b, chest, pitch, roll, 1 - 2 * leg, angles[1 - leg], pace)
+        joints = limbs.arm(b, axes, 1 - 2 * leg, angles[1 - leg], pace)
         for axis in range(3):
             pose.shoulder[c, leg, axis] = com[axis] + joints[0][axis]
             pose.elbow[c, leg, axis] = com[axis] + joints[1][axis]

@@ -6,10 +6,12 @@ from motion import swing
 from motion.jit import jit_borrowing
 from planner import timing
 from worlds import queries
-from worlds.arrays import FLAT, HEIGHTMAP, HILLS
+from worlds.arrays import FLAT, HEIGHTMAP, HILLS, REACH
 
 SAMPLES = 41
 """Shares of the swing at which the ground below the foot is asked for."""
+LEVEL_SAMPLES = 11
+"""The same on level ground, where only the foot itself, pitched, reaches below its line."""
 SHORT = 0.15
 """A step shorter than this [m] does not roll over the whole foot."""
 HIGH = 1.6
@@ -79,13 +81,22 @@ def _runs(b, track, n, m):
 
 
 @jit_borrowing
+def _is_level(w, p, q):
+    """Whether the ground between two places is flat, without a rock: a cell lists all rocks within REACH of it."""
+    cell = queries.cell_of(w, p[0], p[1])
+    near = abs(q[0] - p[0]) + abs(q[1] - p[1]) < 0.5 * REACH
+    return w.terrain_kind == FLAT and near and w.rock_start[cell] == w.rock_start[cell + 1]
+
+
+@jit_borrowing
 def _lift(b, w, track, n, m):
     """Lift [m] with which heel, ball and toe clear the ground below by b.clearance at mid-swing."""
     lift = b.clearance
     back, ahead = -0.5 * b.foot_length - b.ball_forward, 0.5 * b.foot_length - b.ball_forward
     track.lift[m] = 0.0
-    for k in range(1, SAMPLES):
-        s = k / SAMPLES
+    samples = LEVEL_SAMPLES if _is_level(w, track.position[n], track.position[m]) else SAMPLES
+    for k in range(1, samples):
+        s = k / samples
         ball, heading, normal, pitch, flex = swing.sole_at(b, track, n, m, s)
         rise = swing.bump(s)
         for forward, bend in ((back, pitch), (0.0, 0.0), (ahead, pitch - flex)):

@@ -203,7 +203,7 @@ def window_end(track):
 
 
 @jit
-def _optimise(crowd, bipeds, c, effort):
+def optimise_step(crowd, bipeds, c, effort):
     """Solves the window over the real and tentative footprints and commits step n - 1 (paper, section 4.2)."""
     n = crowd.real[c] - 1
     last = n + TENTATIVE
@@ -239,8 +239,8 @@ def _commit(crowd, c, time, control, support, until):
 
 
 @jit_borrowing
-def _advance(crowd, bipeds, w, plans, r, c, seed, effort):
-    """One round of the paper's loop: footprint n, its timing, tentative footprints, step n - 1 optimised, committed."""
+def plan_step(crowd, bipeds, w, plans, r, c, seed):
+    """Character c's footprint n, its timing, and the tentative footprints behind it."""
     if crowd.real[c] == REAL:
         _shift(crowd, c)
     n = crowd.real[c]
@@ -249,7 +249,13 @@ def _advance(crowd, bipeds, w, plans, r, c, seed, effort):
         _reach_stop(crowd, bipeds[crowd.kind[c]], plans, c, n)
     _place(crowd, bipeds, w, plans, r, c, seed)
     crowd.real[c] = n + 1
-    _optimise(crowd, bipeds, c, effort)
+
+
+@jit_borrowing
+def _advance(crowd, bipeds, w, plans, r, c, seed, effort):
+    """One round of the paper's loop: footprint n, its timing, tentative footprints, step n - 1 optimised, committed."""
+    plan_step(crowd, bipeds, w, plans, r, c, seed)
+    optimise_step(crowd, bipeds, c, effort)
 
 
 @jit_borrowing
