@@ -9,6 +9,7 @@ import hashlib
 import os
 import tempfile
 from pathlib import Path
+from typing import Any
 
 _ROOT = Path(__file__).resolve().parent.parent
 _PACKAGES = ("motion", "worlds", "planner", "sim")
@@ -40,17 +41,18 @@ os.environ.setdefault("NUMBA_THREADING_LAYER", "workqueue")
 import numba  # noqa: E402  (the cache folder is read at import)
 from numba.extending import intrinsic  # noqa: E402
 
-_OPTIONS = {"cache": True, "error_model": "numpy", "nogil": True}
+_OWNING: dict[str, Any] = {"cache": True, "error_model": "numpy", "nogil": True, "_nrt": True}
+_BORROWING: dict[str, Any] = _OWNING | {"_nrt": False}
 
-jit = numba.njit(**_OPTIONS, _nrt=True)
-jit_borrowing = numba.njit(**_OPTIONS, _nrt=False)
+jit = numba.njit(**_OWNING)
+jit_borrowing = numba.njit(**_BORROWING)
 """For kernels that make no arrays: they only borrow those they are given, and do not count who holds them. Counting is a
 call and a locked addition for every mention of an array, which took half of the time. What they return must be numbers, or
 arrays that passed through `borrowed`."""
-jit_inline = numba.njit(**_OPTIONS, _nrt=False, forceinline=True)
+jit_inline = numba.njit(**_BORROWING, forceinline=True)
 """For the few small functions inside the hottest loops: a call would copy its arguments, arrays' headers included. They
 make no arrays either."""
-jit_parallel = numba.njit(**_OPTIONS, _nrt=True, parallel=True)
+jit_parallel = numba.njit(**_OWNING, parallel=True)
 
 
 @intrinsic
