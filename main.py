@@ -76,6 +76,7 @@ def parser() -> argparse.ArgumentParser:
     bench = commands.add_parser("bench", help="measure speed against other solvers")
     bench.add_argument("--json", action="store_true")
     bench.add_argument("--quick", action="store_true", help="fewer repetitions and smaller crowds")
+    bench.add_argument("--plot", metavar="OUT.png", help="draw how crowds keep real time, and what a step costs")
     commands.add_parser("test", help="run the tests; further arguments go to pytest")
     return top
 

@@ -24,7 +24,7 @@ barrier's metric: it vanishes at the solution, and the full step needs no other 
 
 from math import sqrt
 
-from motion.jit import jit, jit_inline
+from motion.jit import jit_borrowing, jit_inline
 
 GRAVITY = 9.81
 """m/s^2, along -z."""
@@ -120,7 +120,7 @@ def physics_model(c, w, s0, s1, on0, on1, eps):
     return _flight_model(w, eps)
 
 
-@jit
+@jit_borrowing
 def physics_cost(c0, c1, c2, w0, w1, w2, s, standing):
     """e_physics [m/s^2] at com c with needed force w; s (2, 3) points of support, standing (2,)."""
     s0, s1 = (s[0, 0], s[0, 1], s[0, 2]), (s[1, 0], s[1, 1], s[1, 2])
@@ -149,7 +149,7 @@ def comfort_model(c, q, on, nominal_length, max_length, weight):
     return e, (g * x, g * y, g * z), (h * x * x, h * y * x, h * y * y, h * z * x, h * z * y, h * z * z)
 
 
-@jit
+@jit_borrowing
 def reach_cost(c, q, standing, max_length, weight):
     """Penalty of legs longer than max_length at com c (3,). q (2, 3), max_length (2,)."""
     e = 0.0
@@ -161,7 +161,7 @@ def reach_cost(c, q, standing, max_length, weight):
     return e
 
 
-@jit
+@jit_borrowing
 def add_reach(c, q, standing, max_length, weight, h, g):
     """Adds the Gauss-Newton block of the reach penalty in c: h (6, 6), lower triangle; g (6,). Returns e."""
     e = 0.0

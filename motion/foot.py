@@ -7,10 +7,10 @@ All of it is a function of u, the share of the stance that has passed.
 
 from math import cos, sin
 
-from motion.jit import jit
+from motion.jit import jit_borrowing
 
 
-@jit
+@jit_borrowing
 def hip_offset(b, leg, yaw):
     """Hip relative to the com, in the world, for a body heading yaw [rad]."""
     side = b.hip_side if leg == 0 else -b.hip_side
@@ -18,7 +18,7 @@ def hip_offset(b, leg, yaw):
     return c * b.hip_forward - s * side, s * b.hip_forward + c * side, b.hip_up
 
 
-@jit
+@jit_borrowing
 def sole_axis(heading, normal):
     """Unit vector along the sole, from heel to toe, in the plane of `normal` (3,) and above the heading."""
     c, s = cos(heading), sin(heading)
@@ -27,7 +27,7 @@ def sole_axis(heading, normal):
     return c / length, s / length, rise / length
 
 
-@jit
+@jit_borrowing
 def along_sole(position, heading, normal, forward, up):
     """Point `forward` [m] of the sole's middle along the foot and `up` along the normal."""
     f = sole_axis(heading, normal)
@@ -38,14 +38,14 @@ def along_sole(position, heading, normal, forward, up):
     )
 
 
-@jit
+@jit_borrowing
 def point_of_support(b, track, n, u):
     """Where footprint n presses at share u of its stance."""
     share = track.roll[n, 0] + u * (track.roll[n, 1] - track.roll[n, 0])
     return along_sole(track.position[n], track.heading[n], track.normal[n], (share - 0.5) * b.foot_length, 0.0)
 
 
-@jit
+@jit_borrowing
 def heel_off_angle(b, roll_end, u):
     """Pitch of the foot about its ball [rad] at share u: zero until heel-off, then smoothly up to leaving_angle."""
     begin = 1 - b.heel_off_fraction
@@ -55,13 +55,13 @@ def heel_off_angle(b, roll_end, u):
     return leaving_angle(b, roll_end) * s * s * (3 - 2 * s)
 
 
-@jit
+@jit_borrowing
 def leaving_angle(b, roll_end):
     """Pitch of the foot when it leaves: heel_off_angle off the toe, none off the middle or the heel."""
     return b.heel_off_angle * max(2 * roll_end - 1, 0.0)
 
 
-@jit
+@jit_borrowing
 def about_ball(b, forward, up, pitch):
     """Coordinates (forward of the middle, up) of a point of the foot pitched about the ball, heel rising."""
     x = forward - b.ball_forward
@@ -69,7 +69,7 @@ def about_ball(b, forward, up, pitch):
     return b.ball_forward + c * x + s * up, c * up - s * x
 
 
-@jit
+@jit_borrowing
 def stance_ankle(b, track, n, u):
     """Ankle of the foot on footprint n at share u of its stance."""
     x, z = about_ball(b, b.ankle_forward, b.ankle_height, heel_off_angle(b, track.roll[n, 1], u))

@@ -11,32 +11,32 @@ so the heading at t needs no footprint beyond the next, and never changes when l
 
 import numpy as np
 
-from motion.jit import jit
+from motion.jit import jit, jit_borrowing
 
 WINDOW_STEPS = 1.0
 """Length of the average in nominal step times sqrt(l / g) * 1.6: longer is calmer, but lags in a turn."""
 
 
-@jit
+@jit_borrowing
 def window_length(b):
     """Seconds of the moving average, from the pendulum time of the character's leg."""
     return WINDOW_STEPS * 1.6 * (b.nominal_length / 9.81) ** 0.5
 
 
-@jit
+@jit_borrowing
 def _value(track, i):
     n = len(track.side)
     j = min(i + 1, n - 1)
     return 0.5 * (track.heading[i] + track.facing[i] + track.heading[j] + track.facing[j])
 
 
-@jit
+@jit_borrowing
 def body_heading(b, track, t):
     """Heading of the body [rad] at time t, unwrapped."""
     return mean_heading(track, t, window_length(b))
 
 
-@jit
+@jit_borrowing
 def mean_heading(track, t, window):
     """Mean of the broken line over the last `window` [s] before t [rad].
 
@@ -57,7 +57,7 @@ def mean_heading(track, t, window):
     return total / window
 
 
-@jit
+@jit_borrowing
 def _line(track, i, t):
     """The broken line at t >= contact i, before contact i + 1."""
     if i + 1 >= len(track.side):

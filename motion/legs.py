@@ -8,13 +8,13 @@ always stays on its footprint: a leg that is too short for it stretches, and `me
 
 from math import exp, sqrt
 
-from motion.jit import jit
+from motion.jit import jit_borrowing
 
 SOFT_FROM = 0.96
 """Share of full extension from which on the knee resists: without this its angle changes ever faster and pops."""
 
 
-@jit
+@jit_borrowing
 def soft_stretch(share):
     """Stretch of the links at d = share of their length: with r = 1 - SOFT_FROM they bend as for SOFT_FROM + r (1 - exp(-x)),
     x = (share - SOFT_FROM) / r, which is never 1; at full extension they are 2 % longer."""
@@ -24,7 +24,7 @@ def soft_stretch(share):
     return share / (SOFT_FROM + room * (1 - exp((SOFT_FROM - share) / room)))
 
 
-@jit
+@jit_borrowing
 def _bend(a, b, hip, ankle, pole):
     """Unit vectors of the first and second link, and the stretch that they need. pole (3) need not be a unit vector."""
     x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
@@ -46,7 +46,7 @@ def _bend(a, b, hip, ankle, pole):
     return first, second, stretch
 
 
-@jit
+@jit_borrowing
 def joints(b, hip, ankle, pole):
     """(knee, hock) of the leg from hip to ankle, the knee toward `pole`; a two-link leg's hock is its ankle."""
     first, second, stretch = _bend(b.thigh + b.metatarsus, b.shank, hip, ankle, pole)

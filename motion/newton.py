@@ -17,7 +17,7 @@ import numpy as np
 
 from motion import cost, spline
 from motion import problem as problems
-from motion.jit import jit, jit_inline
+from motion.jit import jit, jit_borrowing, jit_inline
 
 
 class Effort(NamedTuple):
@@ -32,7 +32,7 @@ class Effort(NamedTuple):
 
 TIGHT = Effort(9, 3.0, 3e-4, 60, 1e-7)
 SCENE = Effort(2, 0.1, 3e-3, 12, 1e-3)
-LIVE = Effort(1, 3e-3, 3e-3, 8, 5e-4)
+LIVE = Effort(1, 3e-3, 3e-3, 8, 1e-3)
 HARDER = Effort(4, 1.0, 3e-3, 10, 1e-3)
 
 DAMPING = 1e-6
@@ -174,7 +174,7 @@ def _put_segment(work, i, duration):
         work.gradient[i + 1, 3 + axis] += duration * work.slopes[3, axis]
 
 
-@jit
+@jit_borrowing
 def assemble(problem, control, eps, work):
     """Fills work's Hessian (lower triangles) and gradient; returns the smoothed E."""
     work.diagonal[:] = 0.0
@@ -205,7 +205,7 @@ def assemble(problem, control, eps, work):
     return e
 
 
-@jit
+@jit_borrowing
 def _add_anchor(problem, control, work):
     last = len(control) - 1
     for k in range(6):
@@ -214,7 +214,7 @@ def _add_anchor(problem, control, work):
     return problems.anchor_cost(problem, control)
 
 
-@jit
+@jit_borrowing
 def _add_reach(problem, control, i, work):
     e = 0.0
     for end in range(2):
@@ -278,7 +278,7 @@ def _load(problem, work, i):
                 ft[i - 1, c, r] = coupled * work.lower[i - 1, r, c]
 
 
-@jit
+@jit_borrowing
 def solve(problem, work):
     """step = -(H + DAMPING diag H)^-1 gradient, zero at fixed control points; returns the predicted decrease of E."""
     fd, ft, x = work.factor_diagonal, work.factor_lower, work.step
@@ -303,7 +303,7 @@ def solve(problem, work):
     return decrease
 
 
-@jit
+@jit_borrowing
 def _stage(problem, control, eps, iterations, tolerance, work, kept):
     """Full steps on the smoothed E, checked by the next assembly; returns (true E, iterations used)."""
     before, share = np.inf, 1.0
@@ -314,14 +314,21 @@ def _stage(problem, control, eps, iterations, tolerance, work, kept):
         else:
             if not solve(problem, work) > tolerance * e:
                 return problems.total_cost(problem, control), iteration + 1
-            kept[:] = control
+            _copy(control, kept)
             before, share = e, 1.0
         _move(control, kept, share, work.step)
     e, true = problems.total_costs(problem, control, eps)
     if not e <= before:
-        control[:] = kept
+        _copy(kept, control)
         true = problems.total_cost(problem, control)
     return true, iterations
+
+
+@jit_inline
+def _copy(source, goal):
+    for i in range(len(source)):
+        for k in range(6):
+            goal[i, k] = source[i, k]
 
 
 @jit_inline

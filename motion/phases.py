@@ -6,7 +6,7 @@ and the right foot, the index of the footprint it stands on, or -1 while it swin
 
 import numpy as np
 
-from motion.jit import jit
+from motion.jit import jit, jit_borrowing
 
 LEFT_STANCE, RIGHT_STANCE, DOUBLE_STANCE, FLIGHT = 0, 1, 2, 3
 COLOURS = {LEFT_STANCE: (0.92, 0.18, 0.85), RIGHT_STANCE: (0.90, 0.12, 0.12)}
@@ -16,7 +16,7 @@ SHORTEST_PHASE = 1e-3
 """Phases shorter than this [s] are dropped: a sliver changes nothing one can see but makes the spline stiff."""
 
 
-@jit
+@jit_borrowing
 def phase_of(left, right):
     """Phase code of a support row (footprint indices, -1 while swinging)."""
     if left >= 0:
@@ -24,7 +24,7 @@ def phase_of(left, right):
     return RIGHT_STANCE if right >= 0 else FLIGHT
 
 
-@jit
+@jit_borrowing
 def support_at(side, contact_time, stance_time, first, t):
     """Footprints (left, right) carrying the body at time t, -1 for a foot in the air; scans from index `first`."""
     left, right = -1, -1
@@ -39,7 +39,7 @@ def support_at(side, contact_time, stance_time, first, t):
     return left, right
 
 
-@jit
+@jit_borrowing
 def _next_event(side, contact_time, stance_time, count, which, cursor, landed):
     """Time of the next landing or leaving of foot `which`, whose current footprint is `cursor`."""
     if landed:
@@ -78,7 +78,7 @@ def build_phases(side, contact_time, stance_time, begin, end, time, support):
         landed[which] = not landed[which]
 
 
-@jit
+@jit_borrowing
 def merge_by_step(time, support, m):
     """The paper's layout in place: one segment per step, a flight by itself. Returns the segment count."""
     kept = 0

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motion import body, cost, foot, heading, legs, limbs, phases, spline, swing
-from motion.jit import jit
+from motion.jit import jit, jit_borrowing
 
 
 class Pose(NamedTuple):
@@ -66,7 +66,7 @@ def empty_pose(c: int) -> Pose:
     return Pose(*(np.zeros(*kinds[name]) if name in kinds else np.zeros(shapes.get(name, (c,))) for name in Pose._fields))
 
 
-@jit
+@jit_borrowing
 def footprints_at(track, leg, t):
     """(last, next) footprint of foot `leg` at time t: it stands on last, or swings from it to next; -1 for none."""
     last, following = -1, -1
@@ -79,12 +79,12 @@ def footprints_at(track, leg, t):
     return last, following
 
 
-@jit
+@jit_borrowing
 def _set(array, c, leg, point):
     array[c, leg, 0], array[c, leg, 1], array[c, leg, 2] = point
 
 
-@jit
+@jit_borrowing
 def _stand(b, track, n, t, pose, c, leg):
     """The foot on footprint n at time t; a foot whose next footprint is not known yet stays where it stands."""
     u = min(max((t - track.contact_time[n]) / track.stance_time[n], 0.0), 1.0)
@@ -98,7 +98,7 @@ def _stand(b, track, n, t, pose, c, leg):
     return yaw
 
 
-@jit
+@jit_borrowing
 def _fly(b, track, last, following, t, pose, c, leg):
     """The foot on its way from footprint `last` to `following`."""
     left = track.contact_time[last] + track.stance_time[last]
@@ -114,7 +114,7 @@ def _fly(b, track, last, following, t, pose, c, leg):
     return s, yaw
 
 
-@jit
+@jit_borrowing
 def _carry(b, hip, yaw, swing_time, s, pose, c, leg):
     """Lets a foot that swings for long, as the free one in hops on the other leg, hang behind its hip meanwhile."""
     long = (swing_time / np.sqrt(b.nominal_length / cost.GRAVITY) - CARRIED_FROM) / (CARRIED - CARRIED_FROM)
@@ -129,7 +129,7 @@ def _carry(b, hip, yaw, swing_time, s, pose, c, leg):
             array[c, leg, axis] += share * way[axis]
 
 
-@jit
+@jit_borrowing
 def _limited(length, free, full):
     """A length that is its own up to `free` and comes smoothly to `full`: free + (full - free) (1 - exp(-x)), x = (length -
     free) / (full - free)."""
@@ -138,7 +138,7 @@ def _limited(length, free, full):
     return free + (full - free) * (1 - np.exp((free - length) / (full - free)))
 
 
-@jit
+@jit_borrowing
 def _leg_length(b, length, s):
     """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent."""
     calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
@@ -148,7 +148,7 @@ def _leg_length(b, length, s):
     return near + calm * (_limited(length, FREE_REACH * b.max_length, b.max_length) - near)
 
 
-@jit
+@jit_borrowing
 def _keep_in_reach(b, hip, s, pose, c, leg):
     """Draws a swinging foot along the line to its hip, so that its leg is never longer or more bent than it can be."""
     ankle = pose.ankle[c, leg]
@@ -161,7 +161,7 @@ def _keep_in_reach(b, hip, s, pose, c, leg):
         array[c, leg, 2] -= share * z
 
 
-@jit
+@jit_borrowing
 def _pose_leg(b, track, support, leg, yaw, t, pose, c):
     """Poses a leg; returns how far it has swung, 0 standing to 1 in the middle of a swing."""
     n, swung = support[leg], 0.0
@@ -194,14 +194,14 @@ def _pose_leg(b, track, support, leg, yaw, t, pose, c):
     return swung
 
 
-@jit
+@jit_borrowing
 def _leg_angle(b, pose, c, leg, yaw):
     """How far the leg is ahead of its hip [rad]."""
     x, y = pose.ankle[c, leg, 0] - pose.hip[c, leg, 0], pose.ankle[c, leg, 1] - pose.hip[c, leg, 1]
     return np.arctan((np.cos(yaw) * x + np.sin(yaw) * y) / b.nominal_length)
 
 
-@jit
+@jit_borrowing
 def _turn(array, c, rotation):
     for i in range(4):
         array[c, i] = rotation[i]
@@ -232,8 +232,9 @@ def _pose_body(b, track, curve_time, control, yaw, swung, t, pose, c):
     for axis in range(3):
         pose.neck[c, axis] = com[axis] + neck[axis]
         pose.head[c, axis] = pose.neck[c, axis] + above[axis]
+    axes = body.axes(chest, pitch, roll)
     for leg in range(2):
-        joints = limbs.arm(b, chest, pitch, roll, 1 - 2 * leg, angles[1 - leg], pace)
+        joints = limbs.arm(b, axes, 1 - 2 * leg, angles[1 - leg], pace)
         for axis in range(3):
             pose.shoulder[c, leg, axis] = com[axis] + joints[0][axis]
             pose.elbow[c, leg, axis] = com[axis] + joints[1][axis]
@@ -241,7 +242,7 @@ def _pose_body(b, track, curve_time, control, yaw, swung, t, pose, c):
     limbs.lay_tail(b, track, past, com, yaw, pitch, roll, t, pose.tail[c])
 
 
-@jit
+@jit_borrowing
 def pose_kernel(b, track, curve_time, control, t, pose, c):
     """Fills row c of `pose` with the character b at time t [s] of its track and curve ((m + 1,), (m + 1, 6))."""
     com, acceleration = pose.com[c], pose.com_acceleration[c]
@@ -257,5 +258,7 @@ def pose_kernel(b, track, curve_time, control, t, pose, c):
     pose.comfort_cost[c] = 0.0
     for leg in range(2):
         if standing[leg]:
-            length = np.sqrt(np.sum((pose.hip[c, leg] - pose.ankle[c, leg]) ** 2))
+            x, y = pose.hip[c, leg, 0] - pose.ankle[c, leg, 0], pose.hip[c, leg, 1] - pose.ankle[c, leg, 1]
+            z = pose.hip[c, leg, 2] - pose.ankle[c, leg, 2]
+            length = np.sqrt(x * x + y * y + z * z)
             pose.comfort_cost[c] += b.comfort_weight * (length - track.nominal_length[support[leg]]) ** 2

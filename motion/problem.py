@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motion import cost, spline
-from motion.jit import jit, jit_inline
+from motion.jit import jit, jit_borrowing, jit_inline
 
 
 class Problem(NamedTuple):
@@ -89,7 +89,7 @@ def comfort_of_leg(problem, i, j, leg, c):
     return cost.comfort_model(c, q, on, problem.nominal_length[i, j, leg], problem.max_length[leg], problem.comfort_weight)
 
 
-@jit
+@jit_borrowing
 def reach_of_segment(problem, control, i):
     """The reach penalties at both ends of segment i, where they can move."""
     e = 0.0
@@ -108,7 +108,7 @@ def reach_counts(problem):
     return min(problem.max_length[0], problem.max_length[1]) < np.inf
 
 
-@jit
+@jit_borrowing
 def segment_costs(problem, control, i, eps):
     """Segment i's share of E: (as the solver smooths it, the true norm)."""
     samples = problem.support_point.shape[1]
@@ -124,7 +124,7 @@ def segment_costs(problem, control, i, eps):
     return smooth * duration / samples + reach, true * duration / samples + reach
 
 
-@jit
+@jit_borrowing
 def anchor_cost(problem, control):
     """Energy of the springs that hold the last control point."""
     e, last = 0.0, len(control) - 1
@@ -133,7 +133,7 @@ def anchor_cost(problem, control):
     return e
 
 
-@jit
+@jit_borrowing
 def total_costs(problem, control, eps):
     """E of control (m + 1, 6): (smoothed, true)."""
     smooth = true = anchor_cost(problem, control)
@@ -144,13 +144,13 @@ def total_costs(problem, control, eps):
     return smooth, true
 
 
-@jit
+@jit_borrowing
 def segment_cost(problem, control, i):
     """Segment i's share of E (the true norm, not smoothed)."""
     return segment_costs(problem, control, i, 1.0)[1]
 
 
-@jit
+@jit_borrowing
 def total_cost(problem, control):
     """E of control (m + 1, 6)."""
     return total_costs(problem, control, 1.0)[1]
@@ -183,7 +183,7 @@ def _add_origins(problem, i, j, sums):
     return found
 
 
-@jit
+@jit_borrowing
 def _guess_velocity(problem, control, i):
     """Slope through the neighbours; beside a flight (both feet off at the middle sample) the ballistic one."""
     m = len(problem.time) - 1

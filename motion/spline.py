@@ -11,10 +11,10 @@ in time within a segment.
 
 import numpy as np
 
-from motion.jit import jit
+from motion.jit import jit_borrowing
 
 
-@jit
+@jit_borrowing
 def position_weights(s, duration):
     """Weights of (p0, v0, p1, v1) in the position at fraction s of a segment of `duration` seconds."""
     s2 = s * s
@@ -22,7 +22,7 @@ def position_weights(s, duration):
     return (2 * s3 - 3 * s2 + 1, duration * (s3 - 2 * s2 + s), 3 * s2 - 2 * s3, duration * (s3 - s2))
 
 
-@jit
+@jit_borrowing
 def velocity_weights(s, duration):
     """Weights of (p0, v0, p1, v1) in the velocity."""
     s2 = s * s
@@ -30,21 +30,21 @@ def velocity_weights(s, duration):
     return (slope, 3 * s2 - 4 * s + 1, -slope, 3 * s2 - 2 * s)
 
 
-@jit
+@jit_borrowing
 def acceleration_weights(s, duration):
     """Weights of (p0, v0, p1, v1) in the acceleration."""
     bend = (12 * s - 6) / (duration * duration)
     return (bend, (6 * s - 4) / duration, -bend, (6 * s - 2) / duration)
 
 
-@jit
+@jit_borrowing
 def segment_at(time, t):
     """Index of the segment holding t; `time` (m+1,) is ascending. Times outside fall to the first or last segment."""
     index = np.searchsorted(time, t, side="right") - 1
     return min(max(index, 0), len(time) - 2)
 
 
-@jit
+@jit_borrowing
 def position_at(time, control, t, out):
     """Position at t into out (3,)."""
     i = segment_at(time, t)
@@ -59,7 +59,7 @@ def position_at(time, control, t, out):
         )
 
 
-@jit
+@jit_borrowing
 def evaluate(time, control, t, com, velocity, acceleration):
     """Position, velocity, acceleration at t into three (3,) arrays. time (m+1,), control (m+1, 6)."""
     i = segment_at(time, t)

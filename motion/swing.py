@@ -11,7 +11,7 @@ it is flat, and the toe in place, at the contact.
 from math import asin, cos, sin, sqrt
 
 from motion import foot
-from motion.jit import jit
+from motion.jit import jit_borrowing
 
 GRAVITY = 9.81
 HOLD, EDGE_HOLD = 0.04, 0.15
@@ -30,27 +30,27 @@ TOES_UP, STRIKE = 0.45, 0.12
 """Shares of the swing: from when on the toes rise for the heel strike, and how long before its end the sole comes down."""
 
 
-@jit
+@jit_borrowing
 def way(s, hold):
     """Share of the way at share s of the swing: nothing for the first and last `hold`, smooth to the second derivative."""
     s = min(max((s - hold) / (1 - 2 * hold), 0.0), 1.0)
     return s * s * s * (10 - 15 * s + 6 * s * s)
 
 
-@jit
+@jit_borrowing
 def bump(s):
     """Share of the lift: 16 s^2 (1 - s)^2, 1 in the middle."""
     return 16 * s * s * (1 - s) * (1 - s)
 
 
-@jit
+@jit_borrowing
 def fade(s, end):
     """From 1 at 0 to 0 at `end`, smooth at both."""
     x = min(s / end, 1.0)
     return 1 - x * x * (3 - 2 * x)
 
 
-@jit
+@jit_borrowing
 def toes_up(b, track, n, m, s):
     """Pitch, toes up [rad], at share s of the swing from n to m: for a landing on the heel, in a swing with time for it."""
     landing = b.heel_strike_angle * max(1 - 2 * track.roll[m, 0], 0.0)
@@ -62,19 +62,19 @@ def toes_up(b, track, n, m, s):
     return landing * (1 - fade(max(calm, 0.0), 1.0)) * rising * fade(max(s - 1 + STRIKE, 0.0), STRIKE)
 
 
-@jit
+@jit_borrowing
 def share_at(w, hold):
     """Share s of the swing at which way(s, hold) is about w: by the inverse of 3 x^2 - 2 x^3, close to the quintic's."""
     return hold + (1 - 2 * hold) * (0.5 - sin(asin(min(max(1 - 2 * w, -1.0), 1.0)) / 3))
 
 
-@jit
+@jit_borrowing
 def room_beside(b):
     """How far [m] a swinging foot's middle keeps from that of the other foot when it passes it: both shanks and half a sole."""
     return 0.5 * b.foot_width + 2 * b.shank_radius
 
 
-@jit
+@jit_borrowing
 def outward(b, track, n, m, start, goal):
     """Sideways offset (x, y) [m] in the middle of the swing from n to m, so that it keeps its room where it passes the other
     foot. That foot is the one that landed in between, whether it still stands or not."""
@@ -99,7 +99,7 @@ def outward(b, track, n, m, start, goal):
     return -amount * dy / length, amount * dx / length
 
 
-@jit
+@jit_borrowing
 def sole_at(b, track, n, m, s):
     """Where the sole is at share s of the swing from footprint n to m.
 
@@ -127,7 +127,7 @@ def sole_at(b, track, n, m, s):
     return _about_heel(b, ball, heading, normal, up), heading, normal, pitch, left_with * fade(s, FLEX_FADE)
 
 
-@jit
+@jit_borrowing
 def _about_heel(b, ball, heading, normal, up):
     """The ball of a foot that is turned about its heel by `up` [rad], toes up."""
     reach = 0.5 * b.foot_length + b.ball_forward
@@ -140,7 +140,7 @@ def _about_heel(b, ball, heading, normal, up):
     )
 
 
-@jit
+@jit_borrowing
 def point_of_foot(b, ball, heading, normal, forward, up, pitch):
     """World point of the foot at (forward of the ball, up), pitched about the ball with the heel rising."""
     f = foot.sole_axis(heading, normal)

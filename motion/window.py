@@ -11,7 +11,7 @@ import numpy as np
 
 from motion import foot, heading, newton, phases, spline
 from motion import problem as problems
-from motion.jit import jit, jit_inline
+from motion.jit import jit, jit_borrowing, jit_inline
 
 LIVE_SAMPLES = 5
 """Samples per segment of the live window: the residual is nearly linear in a phase, five find it."""
@@ -157,7 +157,7 @@ def _warm_start(problem, control, old_time, old_control):
     return len(problem.time)
 
 
-@jit
+@jit_borrowing
 def _regular(track, last, old_time):
     """Whether the window's last stride repeats, about, the one two strides before: alternating feet, similar timing."""
     n = last - STRIDES
@@ -193,10 +193,11 @@ def _repeat(track, last, t, old_time, old_control, out):
         out[3 + axis] += (track.position[last, axis] - track.position[last - 2, axis]) / after
 
 
-@jit
+@jit_borrowing
 def begin_window(track, problem, control, start, old_time, old_control):
     """Fills control with start (6,) and the first guess of the rest; fixes the start, and the end where it is foreseeable."""
-    control[0] = start
+    for k in range(6):
+        control[0, k] = start[k]
     problem.fixed[0] = True
     if len(old_time) < 2:
         problems.straight_guess(problem, control, 1)
@@ -207,8 +208,9 @@ def begin_window(track, problem, control, start, old_time, old_control):
     if _regular(track, last, old_time):
         for i in range(first, m + 1):
             _repeat(track, last, problem.time[i], old_time, old_control, control[i])
-        problem.anchor[:] = control[m]
-        problem.anchor_stiffness[:] = ANCHOR_STIFFNESS
+        for k in range(6):
+            problem.anchor[k] = control[m, k]
+        problem.anchor_stiffness[0], problem.anchor_stiffness[1] = ANCHOR_STIFFNESS
     else:
         problems.straight_guess(problem, control, first)
 

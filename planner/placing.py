@@ -3,13 +3,15 @@
 from math import cos, sin, sqrt
 
 from motion import swing
-from motion.jit import jit
+from motion.jit import jit_borrowing
 from planner import timing
 from worlds import queries
-from worlds.arrays import FLAT, HEIGHTMAP, HILLS
+from worlds.arrays import FLAT, HEIGHTMAP, HILLS, REACH
 
 SAMPLES = 41
 """Shares of the swing at which the ground below the foot is asked for."""
+LEVEL_SAMPLES = 11
+"""The same on level ground, where only the foot itself, pitched, reaches below its line."""
 SHORT = 0.15
 """A step shorter than this [m] does not roll over the whole foot."""
 HIGH = 1.6
@@ -18,7 +20,7 @@ EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
 
 
-@jit
+@jit_borrowing
 def lay_sole(b, w, x, y, heading, rock):
     """(z, normal x, y, z) of a sole whose middle is at x, y: on a rock's flat top, or resting on the terrain.
 
@@ -43,7 +45,7 @@ def lay_sole(b, w, x, y, heading, rock):
     return max(middle, 0.5 * (toe + heel)), -dx / length, -dy / length, 1 / length
 
 
-@jit
+@jit_borrowing
 def forwardness(p, q, heading):
     """How far the step from p to q goes along the heading: 1 forward, -1 backward, 0 sideways or on the spot."""
     dx, dy = q[0] - p[0], q[1] - p[1]
@@ -52,7 +54,7 @@ def forwardness(p, q, heading):
     return min(max(1.25 * share, -1.0), 1.0)
 
 
-@jit
+@jit_borrowing
 def lay_swing(b, w, track, n, m):
     """Sets lift and hold of the swing from footprint n to m, after the ground between: over edges the foot goes up first.
 
@@ -69,7 +71,7 @@ def lay_swing(b, w, track, n, m):
     track.lift[m] += b.run_lift * _runs(b, track, n, m)
 
 
-@jit
+@jit_borrowing
 def _runs(b, track, n, m):
     """How much of a run the stride from footprint n to m is: 0 at Froude number RUNS_FROM or less, 1 at 1 or more."""
     dx, dy = track.position[m, 0] - track.position[n, 0], track.position[m, 1] - track.position[n, 1]
@@ -78,14 +80,23 @@ def _runs(b, track, n, m):
     return min(max((froude - timing.RUNS_FROM) / (1 - timing.RUNS_FROM), 0.0), 1.0)
 
 
-@jit
+@jit_borrowing
+def _is_level(w, p, q):
+    """Whether the ground between two places is flat, without a rock: a cell lists all rocks within REACH of it."""
+    cell = queries.cell_of(w, p[0], p[1])
+    near = abs(q[0] - p[0]) + abs(q[1] - p[1]) < 0.5 * REACH
+    return w.terrain_kind == FLAT and near and w.rock_start[cell] == w.rock_start[cell + 1]
+
+
+@jit_borrowing
 def _lift(b, w, track, n, m):
     """Lift [m] with which heel, ball and toe clear the ground below by b.clearance at mid-swing."""
     lift = b.clearance
     back, ahead = -0.5 * b.foot_length - b.ball_forward, 0.5 * b.foot_length - b.ball_forward
     track.lift[m] = 0.0
-    for k in range(1, SAMPLES):
-        s = k / SAMPLES
+    samples = LEVEL_SAMPLES if _is_level(w, track.position[n], track.position[m]) else SAMPLES
+    for k in range(1, samples):
+        s = k / samples
         ball, heading, normal, pitch, flex = swing.sole_at(b, track, n, m, s)
         rise = swing.bump(s)
         for forward, bend in ((back, pitch), (0.0, 0.0), (ahead, pitch - flex)):

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.jit import jit
+from motion.jit import jit_borrowing
 from planner import placing, random
 from planner.wander import walk_step, wander_step
 from worlds import queries
@@ -66,7 +66,7 @@ def plans_of(mode: int, characters: int, routes: int = 0, stops: int = 0) -> Pla
     )
 
 
-@jit
+@jit_borrowing
 def put(b, w, side, x, y, heading):
     """Footprint of foot `side` whose sole's middle is at x, y: on a rock or the terrain."""
     rock = queries.rock_under(w, x, y, placing.EDGE)
@@ -74,27 +74,27 @@ def put(b, w, side, x, y, heading):
     return Placed(side, x, y, z, heading, nx, ny, nz, rock, False, 0.0)
 
 
-@jit
+@jit_borrowing
 def middle_of(b, side, x, y, heading):
     """Middle of the walker whose foot `side` stands at x, y."""
     across = 0.5 * b.step_width if side == 1 else -0.5 * b.step_width
     return x - across * sin(heading), y + across * cos(heading)
 
 
-@jit
+@jit_borrowing
 def beside(b, side, x, y, heading):
     """Where foot `side` of a walker stands whose middle is at x, y."""
     across = -0.5 * b.step_width if side == 1 else 0.5 * b.step_width
     return x - across * sin(heading), y + across * cos(heading)
 
 
-@jit
+@jit_borrowing
 def stay(side, position, heading, normal, rock, wait):
     """The foot stands where it is for another `wait` [s]."""
     return Placed(side, position[0], position[1], position[2], heading, normal[0], normal[1], normal[2], rock, True, wait)
 
 
-@jit
+@jit_borrowing
 def scripted(b, w, script, k, track):
     """Footprint of row k of a planner.script.Script, after a track that ends in the last two footprints."""
     n = len(track.side)
@@ -104,14 +104,14 @@ def scripted(b, w, script, k, track):
     return put(b, w, script.side[k], script.place[k, 0], script.place[k, 1], script.heading[k])
 
 
-@jit
+@jit_borrowing
 def stop_of(plans, c, reached):
     """Which stop character c walks to after it has reached so many."""
     stops = plans.stops.shape[1]
     return reached % stops if plans.again[c] else min(reached, stops - 1)
 
 
-@jit
+@jit_borrowing
 def is_there(b, plans, c, reached, hindered, x, y):
     """Whether character c, whose middle is at x, y, has come to the stop that it walks to."""
     stop = stop_of(plans, c, reached)
@@ -120,13 +120,13 @@ def is_there(b, plans, c, reached, hindered, x, y):
     return hypot(plans.stops[c, stop, 0] - x, plans.stops[c, stop, 1] - y) < near
 
 
-@jit
+@jit_borrowing
 def avoids(plans, c):
     """Whether character c goes around others: those on a route have no choice of places."""
     return plans.mode[c] == WANDER or plans.mode[c] == WALK
 
 
-@jit
+@jit_borrowing
 def next_footprint(b, w, plans, c, seed, step, reached, hindered, side, position, heading, normal, rock):
     """Footprint number `step` of character c after the last two, given as rows 0 and 1: side (2,), position (2, 3), ...
 

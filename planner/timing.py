@@ -11,7 +11,7 @@ A step longer than the character's leap_length is a leap: its flight is ballisti
 
 from math import exp, sqrt, tan
 
-from motion.jit import jit
+from motion.jit import jit_borrowing
 
 GRAVITY = 9.81
 RUNS_FROM = 0.5
@@ -30,19 +30,19 @@ SNAP = 0.02
 """Overlaps and flights shorter than this [s] become none: a sliver of a phase is not to be seen."""
 
 
-@jit
+@jit_borrowing
 def pendulum_time(b):
     """sqrt(h / g) [s]: the unit of time of a leg."""
     return sqrt(b.hip_height / GRAVITY)
 
 
-@jit
+@jit_borrowing
 def speed(length, hip_height):
     """Speed [m/s] of a gait with this step length [m]."""
     return 0.226 * sqrt(GRAVITY) * (2 * length) ** 1.67 * hip_height**-1.17
 
 
-@jit
+@jit_borrowing
 def duty_factor(froude, smoothness, slowest):
     """Share of the stride that a foot stands; smoothness 0 changes to the run abruptly, 1 over a wide range; slowest: the
     share at the slowest walk."""
@@ -52,27 +52,27 @@ def duty_factor(froude, smoothness, slowest):
     return walking + running * (RUNNING_DUTY - walking)
 
 
-@jit
+@jit_borrowing
 def nominal_length(b, length, step_time, rise):
     """Comfortable virtual leg [m] at a step of this length and rise [m] in this time [s]: shorter the faster, and downhill."""
     froude = (length / step_time) ** 2 / (GRAVITY * b.hip_height)
     return b.nominal_length * (1 - b.run_crouch * min(froude, 1.0) - DESCENT_CROUCH * max(-rise, 0.0) / b.hip_height)
 
 
-@jit
+@jit_borrowing
 def least_step_time(b, overlap):
     """Shortest step time after an overlap [s] of double stance, so that the leg has time to swing."""
     return max(overlap, 0.0) + LEAST_SWING * pendulum_time(b)
 
 
-@jit
+@jit_borrowing
 def _snap(step, stance):
     if abs(stance - step) < SNAP:
         return step
     return stance
 
 
-@jit
+@jit_borrowing
 def step_timing(b, length, rise, turn, same_side):
     """(step time, stance time) [s] of the footprint that a step leaves.
 
@@ -88,7 +88,7 @@ def step_timing(b, length, rise, turn, same_side):
     return step, _snap(step, 2 * duty_factor(froude, b.gait_smoothness, b.walking_duty) * step)
 
 
-@jit
+@jit_borrowing
 def _leap(b, length, rise, slower):
     """Ballistic: d = v^2 sin(2 alpha) / g gives t^2 = 2 (d tan(alpha) - rise) / g; part of d is covered while standing."""
     distance = max(length - 0.5 * b.leap_length, 0.3 * length)

@@ -8,7 +8,7 @@ can always turn round, and is never trapped.
 
 from math import atan2, cos, hypot, pi, sin
 
-from motion.jit import jit
+from motion.jit import jit_borrowing
 from planner import random
 from worlds import queries
 
@@ -24,7 +24,7 @@ MARGIN = 0.08
 """Tolerance kept beyond the body's radius [m]."""
 
 
-@jit
+@jit_borrowing
 def free_way(w, x, y, heading, margin, far):
     """Distance [m] that one can go straight on with at least `margin` around, at most `far`."""
     c, s, done = cos(heading), sin(heading), 0.0
@@ -36,7 +36,7 @@ def free_way(w, x, y, heading, margin, far):
     return far
 
 
-@jit
+@jit_borrowing
 def drift(seed, character, step):
     """Change of heading per step [rad] when nothing hinders: chance values every DRIFT_STEPS, blended smoothly."""
     block, part = step // DRIFT_STEPS, (step % DRIFT_STEPS) / DRIFT_STEPS
@@ -46,7 +46,7 @@ def drift(seed, character, step):
     return DRIFT * (2 * (a + part * (z - a)) - 1)
 
 
-@jit
+@jit_borrowing
 def clear_heading(w, x, y, wanted, margin, look, right_first):
     """(offset, free way): the nearest offset from the wanted heading with a way as long as `look`, else the freest."""
     best, best_free = 0.0, -1.0
@@ -62,7 +62,7 @@ def clear_heading(w, x, y, wanted, margin, look, right_first):
     return best, best_free
 
 
-@jit
+@jit_borrowing
 def step_toward(b, w, x, y, heading, wanted, look, right_first):
     """Next middle (x, y) and heading: a step toward the nearest clear heading, shorter where it turns."""
     margin = min(b.body_radius + MARGIN, queries.clearance(w, x, y) - 0.01)
@@ -73,7 +73,7 @@ def step_toward(b, w, x, y, heading, wanted, look, right_first):
     return x + length * cos(heading + turn), y + length * sin(heading + turn), heading + turn
 
 
-@jit
+@jit_borrowing
 def wander_step(b, w, x, y, heading, seed, character, step):
     """Next middle (x, y) and heading of the walker whose middle is at x, y: one step of wandering."""
     wanted = heading + drift(seed, character, step)
@@ -82,7 +82,7 @@ def wander_step(b, w, x, y, heading, seed, character, step):
     return step_toward(b, w, x, y, heading, wanted, look, right_first)
 
 
-@jit
+@jit_borrowing
 def walk_step(b, w, x, y, heading, stop, seed, character):
     """Next middle (x, y) and heading of the walker whose middle is at x, y, on its way to stop (2,), not beyond it."""
     dx, dy = stop[0] - x, stop[1] - y

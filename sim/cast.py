@@ -81,7 +81,7 @@ class Cast:
 
     def track(self, character: int) -> Track:
         """The character's recent footprints, the newest last."""
-        return Track(*(a.copy() for a in crowds.track_of(self.crowd, character, int(self.crowd.real[character]))))
+        return crowds.copied_track(self.crowd, character, int(self.crowd.real[character]))
 
     def curve(self, character: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Committed curve over the last steps: time (m + 1,), control (m + 1, 6), support (m, 2)."""

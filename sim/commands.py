@@ -243,6 +243,10 @@ def _checked(name: str) -> str:
 def _bench(options) -> int:
     from sim.bench import report
 
+    if options.plot:
+        _plots().writable_kind(options.plot)
     results = report.run(options.quick)
+    if options.plot:
+        _plots().plot_crowds(results["crowd"], options.plot)
     print(json.dumps(results) if options.json else report.in_words(results))
     return DONE

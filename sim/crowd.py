@@ -11,7 +11,7 @@ import numpy as np
 from numba import prange
 
 from motion import foot
-from motion.jit import jit, jit_parallel
+from motion.jit import borrowed, jit, jit_borrowing, jit_parallel
 from motion.pose import pose_kernel
 from motion.spline import position_at
 from motion.track import Track
@@ -96,22 +96,29 @@ def empty_crowd(kind: np.ndarray, rows: int = _ROWS, segments: int = CURVE) -> C
     )
 
 
-@jit
+def copied_track(crowd: Crowd, c: int, n: int) -> Track:
+    """The first n footprints of character c, to keep."""
+    return Track(*(getattr(crowd, name)[c, :n].copy() for name in Track._fields))
+
+
+@jit_borrowing
 def track_of(crowd, c, n):
-    """The first n footprints of character c."""
-    return Track(
-        crowd.side[c, :n],
-        crowd.position[c, :n],
-        crowd.heading[c, :n],
-        crowd.normal[c, :n],
-        crowd.contact_time[c, :n],
-        crowd.stance_time[c, :n],
-        crowd.step_time[c, :n],
-        crowd.roll[c, :n],
-        crowd.nominal_length[c, :n],
-        crowd.facing[c, :n],
-        crowd.lift[c, :n],
-        crowd.hold[c, :n],
+    """The first n footprints of character c, for kernels: copied_track is for Python."""
+    return borrowed(
+        Track(
+            crowd.side[c, :n],
+            crowd.position[c, :n],
+            crowd.heading[c, :n],
+            crowd.normal[c, :n],
+            crowd.contact_time[c, :n],
+            crowd.stance_time[c, :n],
+            crowd.step_time[c, :n],
+            crowd.roll[c, :n],
+            crowd.nominal_length[c, :n],
+            crowd.facing[c, :n],
+            crowd.lift[c, :n],
+            crowd.hold[c, :n],
+        )
     )
 
 
@@ -137,7 +144,7 @@ def stand(crowd, bipeds, c, first_contact, side, positions, headings, normals, r
     crowd.curve_count[c] = 0
 
 
-@jit
+@jit_borrowing
 def above_feet(b, track, control):
     """Fills control (6,) with the com at rest, balanced over the middles of the last two soles, no leg over its nominal."""
     n = len(track.side)
@@ -154,7 +161,7 @@ def above_feet(b, track, control):
         control[2] = min(control[2], ankle[2] - hip[2] + rise)
 
 
-@jit
+@jit_borrowing
 def horizon(crowd, c):
     """Time up to which character c is committed [s]."""
     return crowd.curve_time[c, crowd.curve_count[c]]
@@ -173,7 +180,7 @@ def pose_all(crowd, bipeds, t, rows, pose):
         )  # fmt: skip
 
 
-@jit
+@jit_borrowing
 def com_all(crowd, t, com):
     """Fills com (C, 3) with everyone's centre of mass at time t [s]: what can be seen, before it is posed."""
     for c in range(len(crowd.kind)):

@@ -15,6 +15,8 @@ from sim.measure import frames_of, prints_of
 from sim.recording import Recording
 from worlds.errors import InputError
 
+FRAMES = 30
+"""Poses per simulated second in the figures of crowds."""
 KINDS = (".png", ".svg", ".pdf")
 SIDES = (phases.COLOURS[phases.LEFT_STANCE], phases.COLOURS[phases.RIGHT_STANCE])
 INK, GRID = "0.25", "0.9"
@@ -168,11 +170,43 @@ def _broken(values: list[float], kinds: np.ndarray) -> np.ndarray:
     return out
 
 
+def plot_crowds(crowds: dict[str, dict], path: str | Path) -> None:
+    """Draws what `bench` tells of crowds (sim.bench.crowds.measure, by their counts): real time kept, and the costs' parts."""
+    count, rows = [int(n) for n in crowds], list(crowds.values())
+    with matplotlib.rc_context(_STYLE):
+        figure = Figure(figsize=(8, 3.4), layout="constrained")
+        left, right = figure.subplots(1, 2)
+        for key, style, label in (
+            ("realtime_ratio_with_poses", "-o", f"{rows[0]['threads']} thread(s)"),
+            ("realtime_ratio_with_poses_1_thread", "--o", "1 thread"),
+        ):
+            left.loglog(count, [row[key] for row in rows], style, color=INK, label=label, markersize=4)
+        left.axhline(1.0, color=SIDES[1], linewidth=0.8)
+        left.set(xlabel="characters", ylabel="simulated s / wall s, poses included")
+        left.legend()
+        bottom = np.zeros(len(rows))
+        parts = (("planning_us_per_step", "#1b7f79"), ("optimising_us_per_step", "#c0182a"), ("posing_us", "#3b8fd0"))
+        for key, colour in parts:
+            each = FRAMES if key == "posing_us" else np.array([row["steps_per_second"] for row in rows])
+            cost = 1e-3 * each * np.array([row[key] for row in rows])
+            right.bar(range(len(rows)), cost, bottom=bottom, color=colour, label=key.split("_")[0], width=0.6)
+            bottom += cost
+        right.set_xticks(range(len(rows)), [f"{n:,}" for n in count])
+        right.set(xlabel="characters", ylabel="core ms / character and simulated s")
+        right.legend()
+        _write(figure, path)
+
+
+def writable_kind(path: str | Path) -> None:
+    """Raises InputError where the figure's name does not end in a known kind of file."""
+    if Path(path).suffix.lower() not in KINDS:
+        raise InputError(f"{path}: the figure's name must end in {', '.join(KINDS)}")
+
+
 def _write(figure: Figure, path: str | Path) -> None:
     """Writes the figure whole or not at all; the kind of file is that of its name."""
     path = Path(path)
-    if path.suffix.lower() not in KINDS:
-        raise InputError(f"{path}: the figure's name must end in {', '.join(KINDS)}")
+    writable_kind(path)
     temporary = path.with_name(path.name + ".part")
     try:
         figure.savefig(temporary, format=path.suffix[1:].lower(), dpi=120)

@@ -8,7 +8,7 @@ import numpy as np
 from numba import prange
 
 from motion import window
-from motion.jit import jit, jit_parallel
+from motion.jit import jit, jit_borrowing, jit_parallel
 from motion.phases import SHORTEST_PHASE as SLIVER
 from planner import avoiding, placing, plan, reservations, timing
 from planner.script import MIDDLE, ROLL
@@ -18,46 +18,56 @@ WINDOW_TAIL = 0.0
 """Share of a step that the window goes on after the last tentative contact: more steadies its end, and costs time."""
 
 
-@jit
+@jit_borrowing
+def _copy_footprint(crowd, c, source, goal):
+    """Row `goal` of character c becomes what row `source` is."""
+    crowd.side[c, goal], crowd.rock[c, goal], crowd.stands[c, goal] = (
+        crowd.side[c, source],
+        crowd.rock[c, source],
+        crowd.stands[c, source],
+    )
+    for array in (crowd.heading, crowd.contact_time, crowd.stance_time, crowd.step_time):
+        array[c, goal] = array[c, source]
+    for array in (crowd.nominal_length, crowd.facing, crowd.lift, crowd.hold):
+        array[c, goal] = array[c, source]
+    for k in range(3):
+        crowd.position[c, goal, k], crowd.normal[c, goal, k] = crowd.position[c, source, k], crowd.normal[c, source, k]
+    for k in range(2):
+        crowd.roll[c, goal, k] = crowd.roll[c, source, k]
+
+
+@jit_borrowing
 def _shift(crowd, c):
     """Forgets the oldest footprint; the curve over it goes too."""
-    for array in (
-        crowd.heading,
-        crowd.contact_time,
-        crowd.stance_time,
-        crowd.step_time,
-        crowd.nominal_length,
-        crowd.facing,
-        crowd.lift,
-        crowd.hold,
-    ):
-        array[c, :-1] = array[c, 1:].copy()
-    for array in (crowd.side, crowd.rock):
-        array[c, :-1] = array[c, 1:].copy()
-    crowd.stands[c, :-1] = crowd.stands[c, 1:].copy()
-    for array in (crowd.position, crowd.normal, crowd.roll):
-        array[c, :-1] = array[c, 1:].copy()
+    for i in range(crowd.real[c] - 1):
+        _copy_footprint(crowd, c, i + 1, i)
     crowd.real[c] -= 1
-    crowd.support[c] -= 1
+    for i in range(crowd.curve_count[c]):
+        for leg in range(2):
+            crowd.support[c, i, leg] = max(crowd.support[c, i, leg] - 1, -1)
     gone = 0
     for i in range(crowd.curve_count[c]):
         if crowd.curve_time[c, i + 1] <= crowd.contact_time[c, 0]:
             gone = i + 1
     _forget_segments(crowd, c, gone)
-    np.maximum(crowd.support[c], -1, crowd.support[c])
 
 
-@jit
+@jit_borrowing
 def _forget_segments(crowd, c, gone):
+    if gone == 0:
+        return
     kept = crowd.curve_count[c] - gone
-    if gone > 0:
-        crowd.curve_time[c, : kept + 1] = crowd.curve_time[c, gone : gone + kept + 1].copy()
-        crowd.control[c, : kept + 1] = crowd.control[c, gone : gone + kept + 1].copy()
-        crowd.support[c, :kept] = crowd.support[c, gone : gone + kept].copy()
-        crowd.curve_count[c] = kept
+    for i in range(kept + 1):
+        crowd.curve_time[c, i] = crowd.curve_time[c, gone + i]
+        for k in range(6):
+            crowd.control[c, i, k] = crowd.control[c, gone + i, k]
+    for i in range(kept):
+        for leg in range(2):
+            crowd.support[c, i, leg] = crowd.support[c, gone + i, leg]
+    crowd.curve_count[c] = kept
 
 
-@jit
+@jit_borrowing
 def _write(crowd, bipeds, c, n, f):
     """Puts planned footprint f (a planner.plan.Placed) at row n, times the one it leaves, and lays the way to it."""
     b = bipeds[crowd.kind[c]]
@@ -73,7 +83,7 @@ def _write(crowd, bipeds, c, n, f):
     _time(crowd, b, c, n, f.stands, step, stance)
 
 
-@jit
+@jit_borrowing
 def _roll(crowd, c, n, stands):
     """Where the support begins on footprint n and ends on n - 1: heel to toe forward, toe to heel backward, else between."""
     ahead = 0.0 if stands else placing.forwardness(crowd.position[c, n - 1], crowd.position[c, n], crowd.heading[c, n])
@@ -84,14 +94,14 @@ def _roll(crowd, c, n, stands):
     crowd.roll[c, n, 1] = 0.5 + 0.5 * ahead
 
 
-@jit
+@jit_borrowing
 def _length(crowd, c, n):
     """Horizontal length of the step to footprint n [m]."""
     p, q = crowd.position[c, n - 1], crowd.position[c, n]
     return ((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2) ** 0.5
 
 
-@jit
+@jit_borrowing
 def _timing(crowd, b, c, n, f):
     """(step time, stance time) of footprint n - 1 from the step to footprint n (paper, section 4.1)."""
     if f.stands:
@@ -104,7 +114,7 @@ def _timing(crowd, b, c, n, f):
     return step + longer, stance + longer
 
 
-@jit
+@jit_borrowing
 def _time(crowd, b, c, n, stands, step, stance):
     """Sets the timing of footprint n - 1, the same as a first guess for n's own, and the leg that the pace asks for."""
     if stands:
@@ -119,7 +129,7 @@ def _time(crowd, b, c, n, stands, step, stance):
     crowd.nominal_length[c, n] = b.nominal_length if stands else timing.nominal_length(b, _length(crowd, c, n), step, rise)
 
 
-@jit
+@jit_borrowing
 def _lay_way(crowd, bipeds, w, c, n):
     """Lift and hold of the swing that arrives at footprint n."""
     before = n - 1
@@ -129,7 +139,7 @@ def _lay_way(crowd, bipeds, w, c, n):
     placing.lay_swing(b, w, track_of(crowd, c, n + 1), before, n)
 
 
-@jit
+@jit_borrowing
 def _wish(crowd, b, w, plans, c, seed, n, step):
     """What the planner wants as footprint number `step`, at row n."""
     two = slice(n - 2, n)
@@ -139,7 +149,7 @@ def _wish(crowd, b, w, plans, c, seed, n, step):
     )  # fmt: skip
 
 
-@jit
+@jit_borrowing
 def _make_way(crowd, b, w, r, c, seed, n, wish):
     """The wish, or what is free of others instead of it."""
     two = slice(n - 2, n)
@@ -151,7 +161,7 @@ def _make_way(crowd, b, w, r, c, seed, n, wish):
     return placed
 
 
-@jit
+@jit_borrowing
 def _place(crowd, bipeds, w, plans, r, c, seed):
     """Footprint n and the tentative ones behind it; whoever has to stand means to go on standing."""
     b, n = bipeds[crowd.kind[c]], crowd.real[c]
@@ -176,7 +186,7 @@ def _place(crowd, bipeds, w, plans, r, c, seed):
         _lay_way(crowd, bipeds, w, c, n)
 
 
-@jit
+@jit_borrowing
 def _reach_stop(crowd, b, plans, c, n):
     """Counts the stop that a walker has come to, unless it is the last one to stay at."""
     x, y = crowd.position[c, n - 1, 0], crowd.position[c, n - 1, 1]
@@ -186,7 +196,7 @@ def _reach_stop(crowd, b, plans, c, n):
         crowd.reached[c] += 1
 
 
-@jit
+@jit_borrowing
 def window_end(track):
     """Where the window ends [s]: shortly after the last tentative footprint has landed."""
     last = len(track.side) - 1
@@ -194,7 +204,7 @@ def window_end(track):
 
 
 @jit
-def _optimise(crowd, bipeds, c, effort):
+def optimise_step(crowd, bipeds, c, effort):
     """Solves the window over the real and tentative footprints and commits step n - 1 (paper, section 4.2)."""
     n = crowd.real[c] - 1
     last = n + TENTATIVE
@@ -213,7 +223,7 @@ def _optimise(crowd, bipeds, c, effort):
     _commit(crowd, c, time, control, support, track.contact_time[n - 1])
 
 
-@jit
+@jit_borrowing
 def _commit(crowd, c, time, control, support, until):
     """Appends the window's segments up to time `until`, forgetting the oldest where the row is full."""
     i = 0
@@ -222,15 +232,16 @@ def _commit(crowd, c, time, control, support, until):
             _forget_segments(crowd, c, 1)
         k = crowd.curve_count[c]
         crowd.curve_time[c, k + 1] = time[i + 1]
-        crowd.control[c, k + 1] = control[i + 1]
-        crowd.support[c, k] = support[i]
+        for axis in range(6):
+            crowd.control[c, k + 1, axis] = control[i + 1, axis]
+        crowd.support[c, k, 0], crowd.support[c, k, 1] = support[i, 0], support[i, 1]
         crowd.curve_count[c] = k + 1
         i += 1
 
 
-@jit
-def _advance(crowd, bipeds, w, plans, r, c, seed, effort):
-    """One round of the paper's loop: footprint n, its timing, tentative footprints, step n - 1 optimised, committed."""
+@jit_borrowing
+def plan_step(crowd, bipeds, w, plans, r, c, seed):
+    """Character c's footprint n, its timing, and the tentative footprints behind it."""
     if crowd.real[c] == REAL:
         _shift(crowd, c)
     n = crowd.real[c]
@@ -239,10 +250,16 @@ def _advance(crowd, bipeds, w, plans, r, c, seed, effort):
         _reach_stop(crowd, bipeds[crowd.kind[c]], plans, c, n)
     _place(crowd, bipeds, w, plans, r, c, seed)
     crowd.real[c] = n + 1
-    _optimise(crowd, bipeds, c, effort)
 
 
-@jit
+@jit_borrowing
+def _advance(crowd, bipeds, w, plans, r, c, seed, effort):
+    """One round of the paper's loop: footprint n, its timing, tentative footprints, step n - 1 optimised, committed."""
+    plan_step(crowd, bipeds, w, plans, r, c, seed)
+    optimise_step(crowd, bipeds, c, effort)
+
+
+@jit_borrowing
 def publish(crowd, r, c):
     """Lets the others see what character c holds and means to do."""
     n = crowd.real[c]
@@ -333,7 +350,7 @@ def perform(crowd, bipeds, w, c, script, samples, by_step, effort):
     return e, iterations
 
 
-@jit
+@jit_borrowing
 def _own_timing(crowd, bipeds, c, n, script, k):
     """Timing given by the script replaces the automatic one (NaN: none)."""
     step, stance = crowd.step_time[c, n - 1], crowd.stance_time[c, n - 1]

@@ -77,7 +77,7 @@ def steps() -> dict[str, list[tuple[Callable, tuple]]]:
     place, many = (w, 0.0, 0.0), np.zeros(2)
     script = Script(one, np.zeros((2, 2)), many, many, many, many, many, many, 0, 0.0)
     return {
-        "window solve": [(rounds._optimise, (crowd, bipeds, 0, newton.LIVE))],
+        "window solve": [(rounds.optimise_step, (crowd, bipeds, 0, newton.LIVE))],
         "tick of the crowd": [(rounds.advance_all, (crowd, bipeds, w, plans, r, 0, 0.0, newton.LIVE, one))],
         "placing footprints": [(rounds._place, (crowd, bipeds, w, plans, r, 0, 0)), (rounds._shift, (crowd, 0))],
         "poses": [(crowds.pose_all, (crowd, bipeds, 0.0, one, empty_pose(1))), (crowds.com_all, (crowd, 0.0, matrix))],

@@ -4,13 +4,13 @@ from math import atan2, cos, floor, hypot, sin, sqrt
 
 import numpy as np
 
-from motion.jit import jit
+from motion.jit import jit, jit_borrowing
 from worlds.arrays import CELL, FLAT, HEIGHTMAP, HILLS, REACH, SPIRAL_STAIRS, STAIRS
 
 TAU = 6.283185307179586
 
 
-@jit
+@jit_borrowing
 def terrain_height(w, x, y):
     """Height of the bare ground [m]. Beyond the border the terrain goes on."""
     p = w.terrain
@@ -29,7 +29,7 @@ def terrain_height(w, x, y):
     return 0.0
 
 
-@jit
+@jit_borrowing
 def _spiral_height(p, x, y):
     """Treads turn counter-clockwise about (p0, p1) between the radii p2 and p3, each p4 higher, p5 of them to a turn."""
     dx, dy = x - p[0], y - p[1]
@@ -40,13 +40,13 @@ def _spiral_height(p, x, y):
     return p[4] * min(floor(angle / TAU * p[5]), p[5] - 1)
 
 
-@jit
+@jit_borrowing
 def _angle(dy, dx):
     from_axis = atan2(dy, dx)
     return from_axis if from_axis >= 0 else from_axis + TAU
 
 
-@jit
+@jit_borrowing
 def _map_height(heights, column, row):
     """Bilinear in a heightmap, constant beyond its edge."""
     rows, columns = heights.shape
@@ -58,7 +58,7 @@ def _map_height(heights, column, row):
     return (1 - v) * ((1 - u) * heights[i, j] + u * heights[i, m]) + v * ((1 - u) * heights[k, j] + u * heights[k, m])
 
 
-@jit
+@jit_borrowing
 def terrain_normal(w, x, y, span):
     """Unit normal of the ground by central differences over +-span [m]."""
     dx = (terrain_height(w, x + span, y) - terrain_height(w, x - span, y)) / (2 * span)
@@ -67,7 +67,7 @@ def terrain_normal(w, x, y, span):
     return -dx / length, -dy / length, 1 / length
 
 
-@jit
+@jit_borrowing
 def cell_of(w, x, y):
     """Grid cell of a point; points outside belong to the nearest one."""
     rows = (len(w.tree_start) - 1) // w.columns
@@ -76,13 +76,13 @@ def cell_of(w, x, y):
     return row * w.columns + column
 
 
-@jit
+@jit_borrowing
 def border_clearance(w, x, y):
     """Distance to the border [m], negative outside."""
     return min(x - w.bounds[0], y - w.bounds[1], w.bounds[2] - x, w.bounds[3] - y)
 
 
-@jit
+@jit_borrowing
 def tree_clearance(w, x, y):
     """Distance to the nearest trunk's surface [m], negative inside, at most REACH."""
     cell, nearest = cell_of(w, x, y), REACH
@@ -92,7 +92,7 @@ def tree_clearance(w, x, y):
     return nearest
 
 
-@jit
+@jit_borrowing
 def water_clearance(w, x, y):
     """Distance to the nearest water's edge [m], negative in the water, at most REACH. Rocks do not count."""
     cell, nearest = cell_of(w, x, y), REACH
@@ -105,13 +105,13 @@ def water_clearance(w, x, y):
     return nearest
 
 
-@jit
+@jit_borrowing
 def clearance(w, x, y):
     """Distance to the nearest tree, water or border [m], negative inside one, at most REACH."""
     return min(border_clearance(w, x, y), tree_clearance(w, x, y), water_clearance(w, x, y))
 
 
-@jit
+@jit_borrowing
 def path_clearance(w, x0, y0, x1, y1):
     """Least clearance along a line, to 5 cm: it changes no faster than one moves, so whole stretches are skipped."""
     length = hypot(x1 - x0, y1 - y0)
@@ -125,7 +125,7 @@ def path_clearance(w, x0, y0, x1, y1):
         done += max(here - least, 0.05)
 
 
-@jit
+@jit_borrowing
 def rock_under(w, x, y, margin):
     """Index of the highest rock on which a point lies at least `margin` [m] from the edge, -1 for none."""
     cell, found = cell_of(w, x, y), -1
@@ -137,7 +137,7 @@ def rock_under(w, x, y, margin):
     return found
 
 
-@jit
+@jit_borrowing
 def ground_height(w, x, y):
     """Height of what one would step on [m]: the terrain or a rock's top."""
     rock = rock_under(w, x, y, 0.0)
@@ -154,13 +154,13 @@ def ground_heights(w, points):
     return out
 
 
-@jit
+@jit_borrowing
 def in_water(w, x, y):
     """Whether a point lies in water and on no rock."""
     return water_clearance(w, x, y) < 0 and rock_under(w, x, y, 0.0) < 0
 
 
-@jit
+@jit_borrowing
 def survey(w, xy, found):
     """Fills found (N, 3): height of the ground, clearance to water, and to trees [m], at xy (N, 2)."""
     for i in range(len(xy)):

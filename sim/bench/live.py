@@ -13,7 +13,7 @@ from motion.jit import jit
 from motion.problem import total_cost
 from motion.track import Track
 from planner.wandering import Wander
-from sim.crowd import TENTATIVE, track_of
+from sim.crowd import TENTATIVE, copied_track
 from sim.rounds import window_end
 from sim.simulation import Simulation
 from worlds.level import load_level
@@ -58,7 +58,7 @@ def wander_windows(character: str = "human", seed: int = 1) -> tuple[Simulation,
 def _window(sim: Simulation, begin, start, old_time, old_control) -> Window:
     """The window that the tick just solved."""
     last = int(sim.crowd.real[0]) - 1 + TENTATIVE
-    track = Track(*(array.copy() for array in track_of(sim.crowd, 0, last + 1)))
+    track = copied_track(sim.crowd, 0, last + 1)
     return Window(sim.bipeds[0], track, begin, window_end(track), start, old_time, old_control)
 
 

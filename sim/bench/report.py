@@ -10,13 +10,15 @@ import numpy as np
 
 from motion.biped import load_biped
 from planner.wandering import Wander
-from sim.bench import live, solver
+from sim.bench import crowds, live, solver
 from sim.simulation import Simulation
 from worlds.level import load_level
-from worlds.world import World
 
 MAIN = Path(__file__).resolve().parent.parent.parent / "main.py"
 SIZE = (960, 540)
+CROWDS = ((1, 5.0), (100, 5.0), (1000, 5.0), (10_000, 2.0), (100_000, 0.5))
+QUICK_CROWDS = ((1, 2.0), (100, 2.0))
+"""Characters, and the simulated seconds for which they are timed."""
 FRAMES = (1, 100, 1000)
 """Characters in view, of which frames per second are told."""
 
@@ -24,36 +26,13 @@ FRAMES = (1, 100, 1000)
 def run(quick: bool) -> dict:
     """All figures (README, Benchmarks). quick: fewer repetitions, no crowd above 100."""
     report: dict = {"solver": solver.compare(5 if quick else 21), "window": live.report()}
-    report["crowd"] = {str(n): crowd(n, 2.0 if quick else 5.0) for n in ((1, 100) if quick else (1, 100, 1000))}
+    report["crowd"] = {str(n): crowds.measure(n, seconds) for n, seconds in (QUICK_CROWDS if quick else CROWDS)}
+    report["crowd_growth_exponent"] = crowds.growth(report["crowd"])
     report["startup_s"] = startup(1 if quick else 3)
     by_characters = {str(n): frames(n, 20 if quick else 60) for n in FRAMES}
     report["frames_per_second"] = by_characters["1"]
     report["frames_per_second_by_characters"] = by_characters
     return report
-
-
-def crowd(n: int, seconds: float) -> dict:
-    """Simulated over wall seconds of n wanderers in an open forest, and the slowest ticks of a character."""
-    side = max(40.0, 6.0 * n**0.5)
-    world = World("open forest", (side, side), start=(side / 2, side / 2))
-    rng = np.random.Generator(np.random.Philox(key=7))
-    places = rng.uniform(2, side - 2, (int(side * side / 60), 2))
-    places = places[np.hypot(*(places - side / 2).T) > 3]
-    world = World("open forest", (side, side), trees=np.column_stack([places, np.full(len(places), 0.3)]), start=world.start)
-    sim = Simulation(world, [load_biped("bird")] * n, Wander(), 1)
-    for _ in range(90):
-        sim.tick()
-    ticks = []
-    for _ in range(int(seconds * sim.tick_rate)):
-        begin = perf_counter()
-        sim.tick()
-        ticks.append(perf_counter() - begin)
-    return {
-        "realtime_ratio": seconds / sum(ticks),
-        "tick_ms_median": 1e3 * median(ticks),
-        "tick_ms_p99": 1e3 * float(np.percentile(ticks, 99)),
-        "tick_ms_max": 1e3 * max(ticks),
-    }
 
 
 def startup(runs: int) -> float:
@@ -109,11 +88,9 @@ def in_words(report: dict) -> str:
         f"E {report['window']['cost_over_tight']:.3f} of the same windows solved tightly, "
         f"{report['window']['cost_over_global']:.3f} of the global optimum ({live.STEPS}-step wander)"
     )
-    for n, row in report["crowd"].items():
-        lines.append(
-            f"{n} character(s): {row['realtime_ratio']:.1f} times real time; tick median {row['tick_ms_median']:.2f}, "
-            f"99 % {row['tick_ms_p99']:.2f}, worst {row['tick_ms_max']:.2f} ms"
-        )
+    lines += crowds.in_words(report["crowd"])
+    if report["crowd_growth_exponent"]:
+        lines.append(f"cost grows as characters^{report['crowd_growth_exponent']:.2f} from 1000 on")
     rates = report["frames_per_second_by_characters"]
     told = ", ".join(f"{rate:.0f} with {n}" for n, rate in rates.items() if rate)
     lines.append(f"start-up {report['startup_s']:.2f} s; " + (f"frames/s: {told} in view" if told else "no OpenGL here"))

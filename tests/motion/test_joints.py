@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motion import joints
@@ -39,6 +39,7 @@ def test_angles_are_those_of_the_leg():
     assert "hock" not in straight
 
 
+@settings(deadline=None)
 @given(st.floats(-3, 3), st.floats(-1.4, 1.4), st.floats(-1, 1))
 def test_angles_turn_with_the_body(yaw, pitch, roll):
     from motion.body import quaternion, turned
