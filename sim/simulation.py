@@ -31,7 +31,7 @@ class Simulation(Cast):
         begin = np.full(len(self.characters), 3)
         self.plans = planner.prepare(world, self.characters, self.standing_on()[:, ::-1], begin, self.seed)
         self.reservations = empty_reservations(self.bipeds, self.crowd.kind, world.size)
-        rounds.publish_all(self.crowd, self.reservations)
+        rounds.publish_all(self.crowd, self.bipeds, self.reservations)
         self._plan()
 
     def tick(self) -> None:
