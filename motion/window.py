@@ -240,7 +240,21 @@ def optimise_window(b, track, begin, end, start, old_time, old_control, effort):
     if e > HARD * (problem.time[-1] - problem.time[0]):
         e, more = newton.minimise(problem, control, newton.HARDER)
         iterations += more
+        if e > HARD * (problem.time[-1] - problem.time[0]):
+            e, more = _begin_anew(problem, control, e)
+            iterations += more
     return problem.time, control, support, e, iterations
+
+
+@jit
+def _begin_anew(problem, control, e):
+    """The better of the curve found, of cost e, and one from a cold start: a bad last window must not spoil all that follow."""
+    cold = control.copy()
+    problems.straight_guess(problem, cold, 1)
+    cold_e, iterations = newton.minimise(problem, cold, newton.HARDER)
+    if cold_e < e:
+        control[:] = cold
+    return min(cold_e, e), iterations
 
 
 @jit

@@ -9,8 +9,9 @@ reciprocal velocity obstacles; van den Berg, Lin & Manocha 2008). The cheapest c
 others hold is taken. Standing is always clear.
 
 Where the wish runs into someone, the wanted heading is the one that comes nearest to a place LOOK ahead on the wished way when
-one goes as far as it is free (Moussaid, Helbing & Theraulaz 2011). Whoever gets on badly grows impatient: standing costs more
-and chance has a say, which loosens jams.
+one goes as far as it is free (Moussaid, Helbing & Theraulaz 2011), and that has on its left those who come the other way: so
+streams part into lanes before they meet. Whoever gets on badly grows impatient: it comes nearer to others, staying in place
+costs more, and chance has a say, which loosens jams.
 """
 
 from math import atan2, cos, hypot, inf, pi, sin, sqrt
@@ -37,15 +38,19 @@ STAND = 0.15
 LOOK, FAN = 5.0, 6
 """How far one looks for a way around, in preferred steps, and for headings to either side, over a right angle."""
 IMPATIENCE, CHANCE, PATIENT = 0.1, 0.15, 8
-"""Cost of standing and of chance for every step that did not get on, up to so many."""
+"""Cost of staying where one is and of chance for every step that did not get on, up to so many."""
 GETS_ON = 0.4
 """A step gets on that covers this share of the wished one."""
 SMALL = 0.4
 """Side steps and steps back, in preferred steps."""
-SPACE = 1.35
-"""Distance wanted between bodies, in the sum of their radii."""
-APART = 1.25
-"""Distance kept between bodies' ways, in the sum of their radii: the com strays from its way by some of the difference."""
+SPACE = 1.08
+"""Distance wanted between bodies, in what is kept; the impatient come nearer, down to that."""
+KEEP_RIGHT, WIDE, AGAINST = 1.0, 3.0, -0.5
+"""Weight of having those who come against one on the left; how far to the right they count, in distances between bodies; the
+cosine between two wishes from which on they are against each other."""
+EAGER = 0.3
+"""Who stands for others is expected to go where it wishes at this share of the full speed, as soon as it can: one queues behind
+those of the same way, and turns aside for those who come."""
 FOOT_MARGIN = 0.01
 """Room kept between soles [m]."""
 CROWDED = 64
@@ -73,6 +78,7 @@ class Walker(NamedTuple):
     rest_x: float  # where the body rests: between the last two footprints
     rest_y: float
     time: float  # contact of the last footprint [s]
+    there: float  # when the body comes to rest beside it [s]
     overlap: float  # of the last two stances [s]
     margin: float  # kept from trees [m]
     full: float  # speed when nothing hinders [m/s]
@@ -97,8 +103,8 @@ def _walker(b, w, c, side, position, heading, contact_time, overlap, hindered):
     margin = min(b.body_radius + MARGIN, queries.clearance(w, x, y))
     full = b.preferred_step / timing.step_timing(b, b.preferred_step, 0.0, 0.0, False)[0]
     return Walker(
-        c, 1 - side[1], position[1, 0], position[1, 1], x, y, heading[1], rest_x, rest_y, contact_time, overlap, margin,
-        full, hindered,
+        c, 1 - side[1], position[1, 0], position[1, 1], x, y, heading[1], rest_x, rest_y, contact_time,
+        contact_time + reservations.lag(b), overlap, margin, full, hindered,
     )  # fmt: skip
 
 
@@ -144,15 +150,20 @@ def time_to_collision(px, py, vx, vy, apart):
 
 @jit
 def foresee(r, me, near, others):
-    """Fills others (K, 5): place relative to me and velocity as my last footprint lands, and the room to keep."""
+    """Fills others (K, 7): place relative to me and velocity as my last footprint lands, room to keep, wished direction."""
     end = COMMITTED + TENTATIVE - 1
     for i, j in enumerate(near):
-        x, y = reservations.place_on_way(r, j, me.time, end)
-        left = r.way[j, end, 2] - me.time
+        x, y = reservations.place_on_way(r, j, me.there, end)
+        left = r.way[j, end, 2] - me.there
         others[i, 0], others[i, 1] = x - me.rest_x, y - me.rest_y
         others[i, 2] = (r.way[j, end, 0] - x) / left if left > LEAST_TIME else 0.0
         others[i, 3] = (r.way[j, end, 1] - y) / left if left > LEAST_TIME else 0.0
-        others[i, 4] = SPACE * (r.body_radius[me.c] + r.body_radius[j])
+        aim = hypot(r.aim[j, 0], r.aim[j, 1])
+        others[i, 5], others[i, 6] = (r.aim[j, 0] / aim, r.aim[j, 1] / aim) if aim > 0 else (0.0, 0.0)
+        if aim > 0 and hypot(others[i, 2], others[i, 3]) < EAGER * me.full:
+            others[i, 2], others[i, 3] = EAGER * me.full * others[i, 5], EAGER * me.full * others[i, 6]
+        space = SPACE + (1 - SPACE) * me.hindered / PATIENT
+        others[i, 4] = space * (r.room[me.c] + r.room[j])
 
 
 @jit
@@ -170,7 +181,18 @@ def _danger(others, vx, vy):
 
 
 @jit
-def way_around(b, w, me, wish, others):
+def wrong_side(others, wished, way, sight):
+    """How much going `way` [rad] leaves those who come against the wished one on the right, not the left: lanes form early."""
+    wx, wy, ux, uy, total = cos(wished), sin(wished), cos(way), sin(way), 0.0
+    for o in others:
+        along, left = o[0] * ux + o[1] * uy, ux * o[1] - uy * o[0]
+        if o[5] * wx + o[6] * wy < AGAINST and 0 < along < sight and -WIDE * o[4] < left < o[4]:
+            total += (1 - along / sight) * min((o[4] - left) / o[4], 1.0)
+    return total
+
+
+@jit
+def way_around(b, w, r, me, wish, others):
     """The best direction of travel: where it is free far, and near the wished one."""
     wished = atan2(wish.y - me.y, wish.x - me.x)
     look = LOOK * b.preferred_step
@@ -182,6 +204,7 @@ def way_around(b, w, me, wish, others):
             me.full * _soonest(others, vx, vy, look / me.full), free_way(w, me.x, me.y, wished + offset, me.margin - 0.01, look)
         )
         off = look * look + free * free - 2 * look * free * cos(offset) + LEFT * look * look * max(offset, 0.0)
+        off += KEEP_RIGHT * look * look * min(wrong_side(others, wished, wished + offset, r.reach), 1.0)
         if off < least:
             best, least = wished + offset, off
     return best
@@ -201,10 +224,10 @@ def is_free(w, r, me, near, step):
             r, j, step.foot_x, step.foot_y, r.foot_radius[me.c] + FOOT_MARGIN, me.time + step.time
         ):
             return False
-        apart = APART * (r.body_radius[me.c] + r.body_radius[j])
-        least = reservations.least_distance(r, j, me.rest_x, me.rest_y, me.time, rest_x, rest_y, me.time + step.time)
+        apart = r.room[me.c] + r.room[j]
+        least = reservations.least_distance(r, j, me.rest_x, me.rest_y, me.there, rest_x, rest_y, me.there + step.time)
         if least < apart:
-            now = reservations.least_distance(r, j, me.rest_x, me.rest_y, me.time, me.rest_x, me.rest_y, me.time + step.time)
+            now = reservations.least_distance(r, j, me.rest_x, me.rest_y, me.there, me.rest_x, me.rest_y, me.there + step.time)
             if least < now or now >= apart:
                 return False
     return True
@@ -226,9 +249,10 @@ def _costs(b, me, wish, wanted, others, seed, step_number, cost):
             hypot(vx - wx, vy - wy) / me.full + TURN * abs(step.heading - facing) + LEFT * max(step.heading - me.heading, 0.0)
         )
         cost[k] += _danger(others, vx, vy)
+        cost[k] += IMPATIENCE * me.hindered * max(1 - hypot(vx, vy) * step.time / (SMALL * b.preferred_step), 0.0)
         cost[k] += ASIDE * me.hindered * (vy * cos(wanted) - vx * sin(wanted)) / me.full
         cost[k] += CHANCE * me.hindered * random.uniform(seed, me.c, step_number, random.JAM + k)
-    cost[CANDIDATES] += STAND + IMPATIENCE * me.hindered
+    cost[CANDIDATES] += STAND
     if hypot(me.x - me.rest_x, me.y - me.rest_y) < 0.1 * b.preferred_step:
         cost[CLOSING] += STAND
 
@@ -236,12 +260,12 @@ def _costs(b, me, wish, wanted, others, seed, step_number, cost):
 @jit
 def choose(b, w, r, me, wish, near, seed, step_number):
     """The best candidate that is free; 0 is the wish, CANDIDATES is standing."""
-    others = np.empty((len(near), 5))
+    others = np.empty((len(near), 7))
     foresee(r, me, near, others)
     if _danger(others, (wish.x - me.x) / wish.time, (wish.y - me.y) / wish.time) == 0 and is_free(w, r, me, near, wish):
         return 0
     cost = np.empty(CANDIDATES + 1)
-    _costs(b, me, wish, way_around(b, w, me, wish, others), others, seed, step_number, cost)
+    _costs(b, me, wish, way_around(b, w, r, me, wish, others), others, seed, step_number, cost)
     while True:
         k = np.argmin(cost)
         if k == CANDIDATES or is_free(w, r, me, near, candidate(b, me, wish, k)):

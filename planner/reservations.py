@@ -14,11 +14,16 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.jit import jit
+from planner import timing
 
 FEET = 3
 """Footprints that may still be on the ground when a step planned now lands."""
 COMMITTED, TENTATIVE = 3, 3
 """Points of a way: up to the rest, and beyond it."""
+LAG = 0.36
+"""How much later than a foot lands the body comes to the middle between the feet, in pendulum times: as measured."""
+STRAY = 0.58
+"""How far the com strays from its way, in step widths: more keeps bodies apart in a throng, less lets them through a gap."""
 STRIDES = 6.0
 """How far one looks for others, in preferred steps beyond two bodies' radii."""
 
@@ -29,8 +34,9 @@ class Reservations(NamedTuple):
     due: np.ndarray  # (C,) when the character must have planned its next footprint
     foot: np.ndarray  # (C, FEET, 3) x, y, until when the disc is held
     way: np.ndarray  # (C, COMMITTED + TENTATIVE, 3) x, y of the body's middle, when it is there
+    aim: np.ndarray  # (C, 2) the next step it would take if nobody were there [m]
     foot_radius: np.ndarray  # (C,) half the sole's diagonal
-    body_radius: np.ndarray  # (C,)
+    room: np.ndarray  # (C,) the body's radius, and how far the com strays from its way [m]
     reach: float  # how far one looks for others, at most the edge of a cell
     edge: float  # of a grid cell
     columns: int
@@ -49,8 +55,9 @@ def empty_reservations(bipeds: np.recarray, kind: np.ndarray, size: tuple[float,
         due=np.zeros(c),
         foot=np.zeros((c, FEET, 3)),
         way=np.zeros((c, COMMITTED + TENTATIVE, 3)),
+        aim=np.zeros((c, 2)),
         foot_radius=0.5 * np.hypot(bipeds["foot_length"], bipeds["foot_width"])[kind],
-        body_radius=np.ascontiguousarray(bipeds["body_radius"][kind]),
+        room=(bipeds["body_radius"] + STRAY * bipeds["step_width"])[kind],
         reach=reach,
         edge=edge,
         columns=columns,
@@ -58,6 +65,12 @@ def empty_reservations(bipeds: np.recarray, kind: np.ndarray, size: tuple[float,
         start=np.zeros(columns * rows + 1, np.int64),
         order=np.zeros(c, np.int64),
     )
+
+
+@jit
+def lag(b):
+    """How much later than a foot lands the body comes to the middle of the two [s]."""
+    return LAG * timing.pendulum_time(b)
 
 
 @jit

@@ -34,6 +34,7 @@ class Crowd(NamedTuple):
     number: np.ndarray  # (C,) how many footprints have been placed before the newest: its number
     reached: np.ndarray  # (C,) how many of its stops a walker has reached
     hindered: np.ndarray  # (C,) steps that others kept from getting on
+    aim: np.ndarray  # (C, 2) the next step it would take if nobody were there [m]
     side: np.ndarray
     position: np.ndarray
     heading: np.ndarray
@@ -70,6 +71,7 @@ def empty_crowd(kind: np.ndarray, rows: int = _ROWS, segments: int = CURVE) -> C
         number=np.zeros(c, np.int64),
         reached=np.zeros(c, np.int64),
         hindered=np.zeros(c, np.int64),
+        aim=np.zeros((c, 2)),
         side=np.zeros((c, rows), np.int64),
         position=np.zeros((c, rows, 3)),
         heading=np.zeros((c, rows)),

@@ -152,6 +152,10 @@ def _wish(crowd, b, w, plans, c, seed, n, step):
 @jit_borrowing
 def _make_way(crowd, b, w, r, c, seed, n, wish):
     """The wish, or what is free of others instead of it."""
+    last = crowd.position[c, n - 1]
+    x, y = plan.middle_of(b, crowd.side[c, n - 1], last[0], last[1], crowd.heading[c, n - 1])
+    to_x, to_y = plan.middle_of(b, wish.side, wish.x, wish.y, wish.heading)
+    crowd.aim[c, 0], crowd.aim[c, 1] = (0.0, 0.0) if wish.stands else (to_x - x, to_y - y)
     two = slice(n - 2, n)
     overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
     placed, crowd.hindered[c] = avoiding.make_way(
@@ -260,10 +264,12 @@ def _advance(crowd, bipeds, w, plans, r, c, seed, effort):
 
 
 @jit_borrowing
-def publish(crowd, r, c):
+def publish(crowd, bipeds, r, c):
     """Lets the others see what character c holds and means to do."""
     n = crowd.real[c]
     r.due[c] = horizon(crowd, c)
+    r.aim[c, 0], r.aim[c, 1] = crowd.aim[c, 0], crowd.aim[c, 1]
+    late = reservations.lag(bipeds[crowd.kind[c]])
     for k in range(reservations.FEET):
         row = max(n - reservations.FEET + k, 0)
         r.foot[c, k, 0], r.foot[c, k, 1] = crowd.position[c, row, 0], crowd.position[c, row, 1]
@@ -273,14 +279,14 @@ def publish(crowd, r, c):
         before = max(row - 1, 0)
         r.way[c, k, 0] = 0.5 * (crowd.position[c, before, 0] + crowd.position[c, row, 0])
         r.way[c, k, 1] = 0.5 * (crowd.position[c, before, 1] + crowd.position[c, row, 1])
-        r.way[c, k, 2] = crowd.contact_time[c, row]
+        r.way[c, k, 2] = crowd.contact_time[c, row] + late
 
 
 @jit_parallel
-def publish_all(crowd, r):
+def publish_all(crowd, bipeds, r):
     """Lets everyone see everyone: where a simulation begins, or goes on after it was restored."""
     for row in prange(len(crowd.kind)):
-        publish(crowd, r, np.int64(row))  # prange counts unsigned: every kernel would be compiled a second time for it
+        publish(crowd, bipeds, r, np.int64(row))  # prange counts unsigned: kernels would be compiled a second time
 
 
 @jit
@@ -301,7 +307,7 @@ def _take_turn(crowd, bipeds, w, plans, r, turn, seed, effort):
     for k in prange(len(turn)):
         _advance(crowd, bipeds, w, plans, r, turn[k], seed, effort)
     for k in prange(len(turn)):
-        publish(crowd, r, turn[k])
+        publish(crowd, bipeds, r, turn[k])
 
 
 @jit

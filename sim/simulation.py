@@ -46,7 +46,7 @@ class Simulation(Cast):
         else:
             self.ticks, self.crowd, self.plans = state
         self.reservations = empty_reservations(self.bipeds, self.crowd.kind, world.size)
-        rounds.publish_all(self.crowd, self.reservations)
+        rounds.publish_all(self.crowd, self.bipeds, self.reservations)
         if state is None:
             self._plan()
 

@@ -83,7 +83,7 @@ def steps() -> dict[str, list[tuple[Callable, tuple]]]:
         "poses": [(crowds.pose_all, (crowd, bipeds, 0.0, one, empty_pose(1))), (crowds.com_all, (crowd, 0.0, matrix))],
         "standing": [
             (crowds.stand, (crowd, bipeds, 0, 0.0, 0, matrix, np.zeros(2), matrix, one)),
-            (rounds.publish_all, (crowd, r)),
+            (rounds.publish_all, (crowd, bipeds, r)),
         ],
         "ground": [
             (placing.lay_sole, (b, w, 0.0, 0.0, 0.0, 0)),

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from motion.biped import load_biped
+from planner.avoiding import wrong_side
 from planner.walking import WalkTo
 from sim.simulation import Simulation
 from worlds.world import World
@@ -41,3 +42,21 @@ def test_who_meet_head_on_pass_each_other():
         nearest = min(nearest, float(np.hypot(*np.diff(sim.snapshot().com[:, :2], axis=0)[0])))
     assert nearest > 0.39
     assert np.linalg.norm(sim.snapshot().com[:, :2] - planner.stops[:, 0], axis=1).max() < 0.6
+
+
+def oncoming(x, y):
+    """One at x, y who walks toward -x, as planner.avoiding.foresee tells: room to keep 0.5 m."""
+    return np.array([[x, y, -0.5, 0.0, 0.5, -1.0, 0.0]])
+
+
+def test_who_comes_against_one_belongs_on_the_left():
+    ahead, to_the_left, to_the_right = (wrong_side(oncoming(2.0, y), 0.0, 0.0, 4.0) for y in (0.0, 1.0, -1.0))
+    assert to_the_left == 0 and ahead > 0 and to_the_right > 0
+    assert wrong_side(oncoming(2.0, 0.0), 0.0, -np.pi / 6, 4.0) < ahead < wrong_side(oncoming(1.0, 0.0), 0.0, 0.0, 4.0)
+    assert wrong_side(oncoming(-1.0, 0.0), 0.0, 0.0, 4.0) == 0 and wrong_side(oncoming(5.0, 0.0), 0.0, 0.0, 4.0) == 0
+
+
+def test_who_goes_the_same_way_may_be_on_either_side():
+    same = oncoming(2.0, -0.2)
+    same[0, 5] = 1.0
+    assert wrong_side(same, 0.0, 0.0, 4.0) == 0
