@@ -48,7 +48,7 @@ FREE_ENDS = 0.25
 """Share of the swing, at either end, over which the first gives way to the second."""
 KNEE_TURN = 0.25
 """Legs bend half way between body and toes, but turn no farther from the body than this [rad], so that knees keep apart."""
-CARRIED_FROM, CARRIED = 2.5, 4.0
+CARRIED_FROM, CARRIED = 4.0, 5.5
 """Swing times, in pendulum times sqrt(l / g), from which on a foot is carried with the body, and from which on wholly."""
 CARRIED_ENDS, HANGS = 0.35, (0.3, 0.72)
 """Share of the swing, at either end, over which that sets in; where the ankle hangs, back and down from the hip, in legs."""

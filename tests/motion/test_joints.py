@@ -89,6 +89,7 @@ def distance_by_search(p, q, r, s):
     return gaps.min()
 
 
+@settings(deadline=None)
 @given(POINT, POINT, POINT, POINT)
 def test_segment_distance_is_the_least(p, q, r, s):
     found = joints.segment_distance(*(np.array(point) for point in (p, q, r, s)))

@@ -117,6 +117,7 @@ def test_footprints_as_instances_are_the_old_triangles(picture, sim):
 def test_the_trail_takes_each_footprint_once():
     made = Simulation(load_level("forest"), [load_biped("human"), load_biped("bird")], Wander(), 5)
     trail, late = Trail(), Trail(most=16)
+    made.footprints.keep(made.crowd)
     trail.look(made), late.look(made)
     for tick in range(900):
         made.tick()
