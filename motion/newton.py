@@ -32,7 +32,7 @@ class Effort(NamedTuple):
 
 TIGHT = Effort(9, 3.0, 3e-4, 60, 1e-7)
 SCENE = Effort(2, 0.1, 3e-3, 12, 1e-3)
-LIVE = Effort(1, 3e-3, 3e-3, 8, 1e-3)
+LIVE = Effort(1, 3e-3, 3e-3, 8, 5e-4)
 HARDER = Effort(4, 1.0, 3e-3, 10, 1e-3)
 
 DAMPING = 1e-6
