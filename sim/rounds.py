@@ -9,62 +9,13 @@ from numba import prange
 
 from motion import window
 from motion.jit import jit, jit_borrowing, jit_parallel
-from motion.phases import SHORTEST_PHASE as SLIVER
 from planner import avoiding, placing, plan, reservations, timing
 from planner.script import MIDDLE, ROLL
+from sim import rows
 from sim.crowd import REAL, TENTATIVE, above_feet, horizon, track_of
 
 WINDOW_TAIL = 0.0
 """Share of a step that the window goes on after the last tentative contact: more steadies its end, and costs time."""
-
-
-@jit_borrowing
-def _copy_footprint(crowd, c, source, goal):
-    """Row `goal` of character c becomes what row `source` is."""
-    crowd.side[c, goal], crowd.rock[c, goal], crowd.stands[c, goal] = (
-        crowd.side[c, source],
-        crowd.rock[c, source],
-        crowd.stands[c, source],
-    )
-    for array in (crowd.heading, crowd.contact_time, crowd.stance_time, crowd.step_time):
-        array[c, goal] = array[c, source]
-    for array in (crowd.nominal_length, crowd.facing, crowd.lift, crowd.hold):
-        array[c, goal] = array[c, source]
-    for k in range(3):
-        crowd.position[c, goal, k], crowd.normal[c, goal, k] = crowd.position[c, source, k], crowd.normal[c, source, k]
-    for k in range(2):
-        crowd.roll[c, goal, k] = crowd.roll[c, source, k]
-
-
-@jit_borrowing
-def _shift(crowd, c):
-    """Forgets the oldest footprint; the curve over it goes too."""
-    for i in range(crowd.real[c] - 1):
-        _copy_footprint(crowd, c, i + 1, i)
-    crowd.real[c] -= 1
-    for i in range(crowd.curve_count[c]):
-        for leg in range(2):
-            crowd.support[c, i, leg] = max(crowd.support[c, i, leg] - 1, -1)
-    gone = 0
-    for i in range(crowd.curve_count[c]):
-        if crowd.curve_time[c, i + 1] <= crowd.contact_time[c, 0]:
-            gone = i + 1
-    _forget_segments(crowd, c, gone)
-
-
-@jit_borrowing
-def _forget_segments(crowd, c, gone):
-    if gone == 0:
-        return
-    kept = crowd.curve_count[c] - gone
-    for i in range(kept + 1):
-        crowd.curve_time[c, i] = crowd.curve_time[c, gone + i]
-        for k in range(6):
-            crowd.control[c, i, k] = crowd.control[c, gone + i, k]
-    for i in range(kept):
-        for leg in range(2):
-            crowd.support[c, i, leg] = crowd.support[c, gone + i, leg]
-    crowd.curve_count[c] = kept
 
 
 @jit_borrowing
@@ -224,30 +175,14 @@ def optimise_step(crowd, bipeds, c, effort):
     crowd.window_count[c] = len(time)
     crowd.window_time[c, : len(time)] = time
     crowd.window_control[c, : len(time)] = control
-    _commit(crowd, c, time, control, support, track.contact_time[n - 1])
-
-
-@jit_borrowing
-def _commit(crowd, c, time, control, support, until):
-    """Appends the window's segments up to time `until`, forgetting the oldest where the row is full."""
-    i = 0
-    while i < len(support) and time[i + 1] <= until + SLIVER:
-        if crowd.curve_count[c] == crowd.support.shape[1]:
-            _forget_segments(crowd, c, 1)
-        k = crowd.curve_count[c]
-        crowd.curve_time[c, k + 1] = time[i + 1]
-        for axis in range(6):
-            crowd.control[c, k + 1, axis] = control[i + 1, axis]
-        crowd.support[c, k, 0], crowd.support[c, k, 1] = support[i, 0], support[i, 1]
-        crowd.curve_count[c] = k + 1
-        i += 1
+    rows.commit(crowd, c, time, control, support, track.contact_time[n - 1])
 
 
 @jit_borrowing
 def plan_step(crowd, bipeds, w, plans, r, c, seed):
     """Character c's footprint n, its timing, and the tentative footprints behind it."""
     if crowd.real[c] == REAL:
-        _shift(crowd, c)
+        rows.shift(crowd, c)
     n = crowd.real[c]
     crowd.number[c] += 1
     if plans.mode[c] == plan.WALK:
@@ -352,7 +287,7 @@ def perform(crowd, bipeds, w, c, script, samples, by_step, effort):
         bipeds[crowd.kind[c]], track_of(crowd, c, n), crowd.curve_time[c, 0], end, crowd.control[c, 0], finish, samples,
         by_step, effort,
     )  # fmt: skip
-    _commit(crowd, c, time, control, support, end)
+    rows.commit(crowd, c, time, control, support, end)
     return e, iterations
 
 

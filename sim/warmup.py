@@ -23,7 +23,7 @@ from planner.reservations import empty_reservations
 from planner.script import Script
 from planner.wandering import Wander
 from sim import crowd as crowds
-from sim import rounds
+from sim import rounds, rows
 from sim.cast import Cast
 from worlds import queries
 from worlds.world import World
@@ -79,7 +79,7 @@ def steps() -> dict[str, list[tuple[Callable, tuple]]]:
     return {
         "window solve": [(rounds.optimise_step, (crowd, bipeds, 0, newton.LIVE))],
         "tick of the crowd": [(rounds.advance_all, (crowd, bipeds, w, plans, r, 0, 0.0, newton.LIVE, one))],
-        "placing footprints": [(rounds._place, (crowd, bipeds, w, plans, r, 0, 0)), (rounds._shift, (crowd, 0))],
+        "placing footprints": [(rounds._place, (crowd, bipeds, w, plans, r, 0, 0)), (rows.shift, (crowd, 0))],
         "poses": [(crowds.pose_all, (crowd, bipeds, 0.0, one, empty_pose(1))), (crowds.com_all, (crowd, 0.0, matrix))],
         "standing": [
             (crowds.stand, (crowd, bipeds, 0, 0.0, 0, matrix, np.zeros(2), matrix, one)),
