@@ -24,7 +24,10 @@ barrier's metric: it vanishes at the solution, and the full step needs no other 
 
 from math import sqrt
 
+import numpy as np
+
 from motion.jit import jit_borrowing, jit_inline
+from motion.lanes import choose, larger, root
 
 GRAVITY = 9.81
 """m/s^2, along -z."""
@@ -43,49 +46,53 @@ _NEARLY_PARALLEL = 1e-9
 @jit_inline
 def smooth_norm(r, eps):
     """Huber's |r|: a parabola below eps, never below |r|; its weight is 1 / max(|r|, eps)."""
-    return r if r >= eps else 0.5 * (r * r / eps + eps)
+    return choose(r >= eps, r, 0.5 * (r * r / eps + eps))
 
 
 @jit_inline
 def _leg(c, w, s):
-    """Unit leg K (three numbers), its length d and the push w.K that it would have to give."""
+    """Unit leg K (three numbers), 1 / its length, and the push w.K that it would have to give."""
     x, y, z = c[0] - s[0], c[1] - s[1], c[2] - s[2]
-    d = sqrt(x * x + y * y + z * z) + 1e-300
-    inverse = 1 / d
+    inverse = 1 / (root(x * x + y * y + z * z) + 1e-300)
     x, y, z = x * inverse, y * inverse, z * inverse
-    return x, y, z, d, w[0] * x + w[1] * y + w[2] * z
+    return x, y, z, inverse, w[0] * x + w[1] * y + w[2] * z
 
 
 @jit_inline
-def _flight_model(w, eps):
-    r = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2])
-    q = 1 / max(r, eps)
-    return r, 0.0, (q * w[0], q * w[1], q * w[2]), (q, 0.0, q, 0.0, 0.0, q)
+def _either(c, a, b):
+    """a where c holds, else b, of the first three numbers."""
+    return choose(c, a[0], b[0]), choose(c, a[1], b[1]), choose(c, a[2], b[2])
 
 
 @jit_inline
-def _single_model(w, leg, eps):
-    x, y, z, d, push = leg
+def _single_model(w, left, right, on0, on1, eps):
+    """The leg that stands and pushes more carries; where none pushes, nothing does: flight."""
+    b0, b1 = choose(on0, left[4], -np.inf), choose(on1, right[4], -np.inf)
+    first = b0 >= b1
+    push = larger(choose(first, b0, b1), 0.0)
+    nearer = choose(first, left[3], right[3])
+    x, y, z = _either(push > 0, _either(first, left, right), (0.0, 0.0, 0.0))  # a foot in the air may be nowhere: NaN
     r0, r1, r2 = w[0] - push * x, w[1] - push * y, w[2] - push * z
-    r = sqrt(r0 * r0 + r1 * r1 + r2 * r2)
-    q = 1 / max(r, eps)
+    r = root(r0 * r0 + r1 * r1 + r2 * r2)
+    q = 1 / larger(r, eps)
     m = (q - q * x * x, -q * y * x, q - q * y * y, -q * z * x, -q * z * y, q - q * z * z)
-    return r, push / d, (q * r0, q * r1, q * r2), m
+    return r, choose(push > 0, push * nearer, 0.0), (q * r0, q * r1, q * r2), m
 
 
 @jit_inline
 def _double_model(w, left, right, k, eps):
     """Both legs (from _leg) carry; k = K1.K2."""
-    x0, y0, z0, d0, b0 = left
-    x1, y1, z1, d1, b1 = right
+    x0, y0, z0, near0, b0 = left
+    x1, y1, z1, near1, b1 = right
     inverse = 1 / (1 - k * k)
     a0, a1 = (b0 - k * b1) * inverse, (b1 - k * b0) * inverse
-    t = sqrt(inverse)
+    t = root(inverse)
     n0, n1, n2 = t * (y0 * z1 - z0 * y1), t * (z0 * x1 - x0 * z1), t * (x0 * y1 - y0 * x1)
     r = n0 * w[0] + n1 * w[1] + n2 * w[2]
-    q = 1 / max(abs(r), eps)
+    size = larger(r, -r)
+    q = 1 / larger(size, eps)
     g = q * r
-    t0, t1 = inverse / max(a0, _LEAST_SHARE), inverse / max(a1, _LEAST_SHARE)
+    t0, t1 = inverse / larger(a0, _LEAST_SHARE), inverse / larger(a1, _LEAST_SHARE)
     h0, h1 = CAUTION * t0 * t0, CAUTION * t1 * t1
     u0, u1, u2 = x0 - k * x1, y0 - k * y1, z0 - k * z1
     v0, v1, v2 = x1 - k * x0, y1 - k * y0, z1 - k * z0
@@ -97,27 +104,24 @@ def _double_model(w, left, right, k, eps):
         q * n2 * n1 + h0 * u2 * u1 + h1 * v2 * v1,
         q * n2 * n2 + h0 * u2 * u2 + h1 * v2 * v2,
     )
-    return abs(r), a0 / d0 + a1 / d1, (g * n0, g * n1, g * n2), m
+    return size, a0 * near0 + a1 * near1, (g * n0, g * n1, g * n2), m
 
 
 @jit_inline
 def physics_model(c, w, s0, s1, on0, on1, eps):
     """e_physics = |r| at com c with needed force w, and its model in dw - phi dc: (|r|, phi, gradient, M).
 
-    c, w, the points of support s0, s1 and the gradient are triples; M is a lower triangle (00, 10, 11, 20, 21, 22).
+    c, w, the points of support s0, s1 and the gradient are triples; M is a lower triangle (00, 10, 11, 20, 21, 22). Of numbers
+    with bools on0, on1, or of lanes with masks (motion.lanes). Two-column non-negative least squares: both legs where both
+    would push, or else the one that pushes more.
     """
-    first = on0
-    if on0 and on1:  # two-column non-negative least squares: both, or else the one that pushes more
-        left, right = _leg(c, w, s0), _leg(c, w, s1)
-        k = left[0] * right[0] + left[1] * right[1] + left[2] * right[2]
-        if 1 - k * k > _NEARLY_PARALLEL and left[4] > k * right[4] and right[4] > k * left[4]:
-            return _double_model(w, left, right, k, eps)
-        first = left[4] >= right[4]
-    if on0 or on1:
-        leg = _leg(c, w, s0 if first else s1)
-        if leg[4] > 0:
-            return _single_model(w, leg, eps)
-    return _flight_model(w, eps)
+    left, right = _leg(c, w, s0), _leg(c, w, s1)
+    k = left[0] * right[0] + left[1] * right[1] + left[2] * right[2]
+    both = on0 & on1 & (1 - k * k > _NEARLY_PARALLEL) & (left[4] > k * right[4]) & (right[4] > k * left[4])
+    r, phi, g, m = _single_model(w, left, right, on0, on1, eps)
+    r2, phi2, g2, m2 = _double_model(w, left, right, k, eps)
+    m = _either(both, m2[:3], m[:3]) + _either(both, m2[3:], m[3:])
+    return choose(both, r2, r), choose(both, phi2, phi), _either(both, g2, g), m
 
 
 @jit_borrowing
@@ -131,22 +135,20 @@ def physics_cost(c0, c1, c2, w0, w1, w2, s, standing):
 def comfort_model(c, q, on, nominal_length, max_length, weight):
     """weight * ((leg length - nominal)^2 + STRETCH * (what it is longer than max_length)^2) of one leg at com c.
 
-    (e, gradient, Gauss-Newton lower triangle), 0 unless `on`.
+    (e, gradient, Gauss-Newton lower triangle), 0 unless `on`; of numbers or of lanes.
     """
-    if not on:
-        return 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     x, y, z = c[0] - q[0], c[1] - q[1], c[2] - q[2]
-    length = sqrt(x * x + y * y + z * z) + 1e-300
+    length = root(x * x + y * y + z * z) + 1e-300
     inverse = 1 / length
     x, y, z = x * inverse, y * inverse, z * inverse
-    stretch, h = length - nominal_length, 2 * weight
-    e, g = weight * stretch * stretch, h * stretch
-    over = length - max_length
-    if over > 0:
-        e += STRETCH * weight * over * over
-        g += STRETCH * h * over
-        h += STRETCH * h
-    return e, (g * x, g * y, g * z), (h * x * x, h * y * x, h * y * y, h * z * x, h * z * y, h * z * z)
+    soft = choose(on, weight, 0.0)
+    over = larger(length - max_length, 0.0)
+    hard = choose(over > 0, STRETCH * soft, 0.0)
+    stretch = length - nominal_length
+    e = soft * stretch * stretch + hard * over * over
+    g, h = 2 * (soft * stretch + hard * over), 2 * (soft + hard)
+    hx, hy, hz = h * x, h * y, h * z
+    return e, (g * x, g * y, g * z), (hx * x, hy * x, hy * y, hz * x, hz * y, hz * z)
 
 
 @jit_borrowing
@@ -163,7 +165,7 @@ def reach_cost(c, q, standing, max_length, weight):
 
 @jit_borrowing
 def add_reach(c, q, standing, max_length, weight, h, g):
-    """Adds the Gauss-Newton block of the reach penalty in c: h (6, 6), lower triangle; g (6,). Returns e."""
+    """Adds the Gauss-Newton block of the reach penalty in c: h (6, 8) [column, row], lower triangle; g (6,). Returns e."""
     e = 0.0
     for leg in range(2):
         if standing[leg]:
@@ -176,5 +178,5 @@ def add_reach(c, q, standing, max_length, weight, h, g):
                 for i in range(3):
                     g[i] += stiffness * over * u[i] / length
                     for j in range(i + 1):
-                        h[i, j] += stiffness * u[i] * u[j] / (length * length)
+                        h[j, i] += stiffness * u[i] * u[j] / (length * length)
     return e

@@ -13,8 +13,13 @@ from motion.jit import jit_borrowing
 @jit_borrowing
 def hip_offset(b, leg, yaw):
     """Hip relative to the com, in the world, for a body heading yaw [rad]."""
+    return hip_toward(b, leg, cos(yaw), sin(yaw))
+
+
+@jit_borrowing
+def hip_toward(b, leg, c, s):
+    """hip_offset for a body heading whose cosine and sine are c and s."""
     side = b.hip_side if leg == 0 else -b.hip_side
-    c, s = cos(yaw), sin(yaw)
     return c * b.hip_forward - s * side, s * b.hip_forward + c * side, b.hip_up
 
 
@@ -64,6 +69,8 @@ def leaving_angle(b, roll_end):
 @jit_borrowing
 def about_ball(b, forward, up, pitch):
     """Coordinates (forward of the middle, up) of a point of the foot pitched about the ball, heel rising."""
+    if pitch == 0.0:  # most of a stance
+        return forward, up
     x = forward - b.ball_forward
     c, s = cos(pitch), sin(pitch)
     return b.ball_forward + c * x + s * up, c * up - s * x

@@ -8,7 +8,7 @@ Sweeps repeat until none helps, with delta = 6 cm, then 2 cm (and cm/s for tange
 import numpy as np
 
 from motion.jit import jit
-from motion.problem import segment_cost, total_cost
+from motion.problem import costs_from, total_cost
 
 DELTAS = np.array([0.06, 0.02])
 MAX_SWEEPS = 500
@@ -16,8 +16,8 @@ MAX_SWEEPS = 500
 
 @jit
 def _touched_cost(problem, control, i):
-    e = segment_cost(problem, control, i - 1) if i > 0 else 0.0
-    return e + (segment_cost(problem, control, i) if i < len(problem.time) - 1 else 0.0)
+    """Of the segments on both sides of control point i, and of the next ones, which do not change."""
+    return costs_from(problem, control, max(i - 1, 0), 1.0)[1]
 
 
 @jit

@@ -39,6 +39,8 @@ os.environ.setdefault("NUMBA_CACHE_DIR", str(_cache_folder()))
 os.environ.setdefault("NUMBA_THREADING_LAYER", "workqueue")
 
 import numba  # noqa: E402  (the cache folder is read at import)
+from llvmlite import ir  # noqa: E402
+from numba.core import cgutils, types  # noqa: E402
 from numba.extending import intrinsic  # noqa: E402
 
 _OWNING: dict[str, Any] = {"cache": True, "error_model": "numpy", "nogil": True, "_nrt": True}
@@ -70,3 +72,28 @@ def borrowed(_, arrays):
         return value
 
     return arrays(arrays), codegen
+
+
+def stack_array(rows: int, columns: int) -> Any:
+    """What makes a float64 array (rows, columns) on the stack, for kernels that make none; it lives while the kernel runs."""
+    kind, shape = types.Array(types.float64, 2, "C"), (rows, columns)
+
+    def codegen(context, builder, signature, arguments):
+        data = cgutils.alloca_once(builder, ir.ArrayType(ir.DoubleType(), rows * columns))
+        array = context.make_array(kind)(context, builder)
+        numbers = [context.get_constant(types.intp, n) for n in (*shape, 8 * columns, 8)]
+        context.populate_array(
+            array,
+            data=builder.bitcast(data, array.data.type),
+            shape=cgutils.pack_array(builder, numbers[:2]),
+            strides=cgutils.pack_array(builder, numbers[2:]),
+            itemsize=numbers[3],
+            meminfo=None,
+        )
+        return array._getvalue()
+
+    @intrinsic
+    def make(_):
+        return kind(), codegen
+
+    return make

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motion import body, cost, foot, heading, legs, limbs, phases, spline, swing
-from motion.jit import jit, jit_borrowing
+from motion.jit import jit_borrowing, jit_inline, stack_array
 
 
 class Pose(NamedTuple):
@@ -53,6 +53,7 @@ CARRIED_FROM, CARRIED = 4.0, 5.5
 CARRIED_ENDS, HANGS = 0.35, (0.3, 0.72)
 """Share of the swing, at either end, over which that sets in; where the ankle hangs, back and down from the hip, in legs."""
 VECTORS = ("hip", "knee", "hock", "ankle", "heel", "ball", "toe")
+_empty_past = stack_array(body.PAST, 3)
 _PAIRS = (*VECTORS, "point_of_support", "shoulder", "elbow", "hand")
 _POINTS = ("com", "com_velocity", "com_acceleration", "neck", "head")
 _TURNS = ("body_rotation_wxyz", "pelvis_rotation_wxyz", "chest_rotation_wxyz", "head_rotation_wxyz")
@@ -79,12 +80,12 @@ def footprints_at(track, leg, t):
     return last, following
 
 
-@jit_borrowing
+@jit_inline
 def _set(array, c, leg, point):
     array[c, leg, 0], array[c, leg, 1], array[c, leg, 2] = point
 
 
-@jit_borrowing
+@jit_inline
 def _stand(b, track, n, t, pose, c, leg):
     """The foot on footprint n at time t; a foot whose next footprint is not known yet stays where it stands."""
     u = min(max((t - track.contact_time[n]) / track.stance_time[n], 0.0), 1.0)
@@ -98,7 +99,7 @@ def _stand(b, track, n, t, pose, c, leg):
     return yaw
 
 
-@jit_borrowing
+@jit_inline
 def _fly(b, track, last, following, t, pose, c, leg):
     """The foot on its way from footprint `last` to `following`."""
     left = track.contact_time[last] + track.stance_time[last]
@@ -114,7 +115,7 @@ def _fly(b, track, last, following, t, pose, c, leg):
     return s, yaw
 
 
-@jit_borrowing
+@jit_inline
 def _carry(b, hip, yaw, swing_time, s, pose, c, leg):
     """Lets a foot that swings for long, as the free one in hops on the other leg, hang behind its hip meanwhile."""
     long = (swing_time / np.sqrt(b.nominal_length / cost.GRAVITY) - CARRIED_FROM) / (CARRIED - CARRIED_FROM)
@@ -148,7 +149,7 @@ def _leg_length(b, length, s):
     return near + calm * (_limited(length, FREE_REACH * b.max_length, b.max_length) - near)
 
 
-@jit_borrowing
+@jit_inline
 def _keep_in_reach(b, hip, s, pose, c, leg):
     """Draws a swinging foot along the line to its hip, so that its leg is never longer or more bent than it can be."""
     ankle = pose.ankle[c, leg]
@@ -161,7 +162,7 @@ def _keep_in_reach(b, hip, s, pose, c, leg):
         array[c, leg, 2] -= share * z
 
 
-@jit_borrowing
+@jit_inline
 def _pose_leg(b, track, support, leg, yaw, t, pose, c):
     """Poses a leg; returns how far it has swung, 0 standing to 1 in the middle of a swing."""
     n, swung = support[leg], 0.0
@@ -194,23 +195,23 @@ def _pose_leg(b, track, support, leg, yaw, t, pose, c):
     return swung
 
 
-@jit_borrowing
+@jit_inline
 def _leg_angle(b, pose, c, leg, yaw):
     """How far the leg is ahead of its hip [rad]."""
     x, y = pose.ankle[c, leg, 0] - pose.hip[c, leg, 0], pose.ankle[c, leg, 1] - pose.hip[c, leg, 1]
     return np.arctan((np.cos(yaw) * x + np.sin(yaw) * y) / b.nominal_length)
 
 
-@jit_borrowing
+@jit_inline
 def _turn(array, c, rotation):
     for i in range(4):
         array[c, i] = rotation[i]
 
 
-@jit
+@jit_inline
 def _pose_body(b, track, curve_time, control, yaw, swung, t, pose, c):
     """Everything above the legs; swung (2,) as _pose_leg returns it."""
-    past = np.empty((body.PAST, 3))
+    past = _empty_past()
     body.past_of(b, curve_time, control, t, past)
     pitch, roll = body.pitch_and_roll(b, past, yaw)
     angles = (_leg_angle(b, pose, c, 0, yaw), _leg_angle(b, pose, c, 1, yaw))
@@ -250,7 +251,9 @@ def pose_kernel(b, track, curve_time, control, t, pose, c):
     support = phases.support_at(track.side, track.contact_time, track.stance_time, 0, t)
     yaw = heading.body_heading(b, track, t)
     pose.phase[c] = phases.phase_of(support[0], support[1])
-    swung = (_pose_leg(b, track, support, 0, yaw, t, pose, c), _pose_leg(b, track, support, 1, yaw, t, pose, c))
+    swung = (0.0, 0.0)
+    for leg in range(2):
+        swung = (swung[1], _pose_leg(b, track, support, leg, yaw, t, pose, c))
     _pose_body(b, track, curve_time, control, yaw, swung, t, pose, c)
     standing, up = pose.contact[c], acceleration[2] + cost.GRAVITY
     at = pose.point_of_support[c]

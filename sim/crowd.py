@@ -22,6 +22,8 @@ TENTATIVE = 3
 """Footprints beyond the newest, known only to the window."""
 CURVE = 14
 """Committed segments kept."""
+SHARE = 32
+"""Characters that a thread takes at a time: handing over all arrays costs as much as a tenth of a pose."""
 _ROWS = REAL + TENTATIVE
 _WINDOW = 2 * _ROWS + 2
 
@@ -56,6 +58,7 @@ class Crowd(NamedTuple):
     window_count: np.ndarray  # (C,) control points of the last window
     window_time: np.ndarray  # (C, _WINDOW)
     window_control: np.ndarray  # (C, _WINDOW, 6)
+    window_support: np.ndarray  # (C, _WINDOW, 2) footprint in the row, -1 for a foot in the air
     standing: np.ndarray  # (C,) bool: the newest footprint is one of standing still
     window_cost: np.ndarray  # (C, 2) E of the last window and its iterations
 
@@ -93,6 +96,7 @@ def empty_crowd(kind: np.ndarray, rows: int = _ROWS, segments: int = CURVE) -> C
         window_count=np.zeros(c, np.int64),
         window_time=np.zeros((c, _WINDOW)),
         window_control=np.zeros((c, _WINDOW, 6)),
+        window_support=np.full((c, _WINDOW, 2), -1),
         standing=np.zeros(c, np.bool_),
         window_cost=np.zeros((c, 2)),
     )
@@ -169,17 +173,22 @@ def horizon(crowd, c):
     return crowd.curve_time[c, crowd.curve_count[c]]
 
 
-@jit_parallel
-def pose_all(crowd, bipeds, t, rows, pose):
-    """Poses the characters `rows` (K,) at time t [s] into pose, a motion.pose.Pose of K rows."""
-    for index in prange(len(rows)):
-        k = np.int64(index)  # prange counts unsigned: every kernel would be compiled a second time for it
+@jit_borrowing
+def _pose_some(crowd, bipeds, t, rows, begin, pose):
+    for k in range(begin, min(begin + SHARE, len(rows))):
         c = rows[k]
         m = crowd.curve_count[c]
         pose_kernel(
             bipeds[crowd.kind[c]], track_of(crowd, c, crowd.real[c]), crowd.curve_time[c, : m + 1],
             crowd.control[c, : m + 1], t, pose, k,
         )  # fmt: skip
+
+
+@jit_parallel
+def pose_all(crowd, bipeds, t, rows, pose):
+    """Poses the characters `rows` (K,) at time t [s] into pose, a motion.pose.Pose of K rows."""
+    for share in prange((len(rows) + SHARE - 1) // SHARE):
+        _pose_some(crowd, bipeds, t, rows, np.int64(share) * SHARE, pose)
 
 
 @jit_borrowing

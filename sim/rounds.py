@@ -158,24 +158,19 @@ def window_end(track):
     return track.contact_time[last] + WINDOW_TAIL * track.step_time[last]
 
 
-@jit
+@jit_borrowing
 def optimise_step(crowd, bipeds, c, effort):
     """Solves the window over the real and tentative footprints and commits step n - 1 (paper, section 4.2)."""
-    n = crowd.real[c] - 1
-    last = n + TENTATIVE
-    track = track_of(crowd, c, last + 1)
-    committed = crowd.curve_count[c]
-    begin = crowd.curve_time[c, committed]
-    kept = crowd.window_count[c]
-    time, control, support, e, iterations = window.optimise_window(
-        bipeds[crowd.kind[c]], track, begin, window_end(track),
-        crowd.control[c, committed], crowd.window_time[c, :kept], crowd.window_control[c, :kept], effort,
+    n, committed = crowd.real[c] - 1, crowd.curve_count[c]
+    track = track_of(crowd, c, n + TENTATIVE + 1)
+    time, control, support = crowd.window_time[c], crowd.window_control[c], crowd.window_support[c]
+    points, e, iterations = window.optimise_window(
+        bipeds[crowd.kind[c]], track, crowd.curve_time[c, committed], window_end(track), crowd.control[c, committed],
+        crowd.window_count[c], time, control, support, effort,
     )  # fmt: skip
+    crowd.window_count[c] = points
     crowd.window_cost[c, 0], crowd.window_cost[c, 1] = e, iterations
-    crowd.window_count[c] = len(time)
-    crowd.window_time[c, : len(time)] = time
-    crowd.window_control[c, : len(time)] = control
-    rows.commit(crowd, c, time, control, support, track.contact_time[n - 1])
+    rows.commit(crowd, c, time[:points], control[:points], support[: points - 1], track.contact_time[n - 1])
 
 
 @jit_borrowing

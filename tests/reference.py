@@ -42,29 +42,29 @@ def reach_cost(com, origins, max_length, weight):
 
 def total_cost(problem, control):
     """E of a motion.problem.Problem, sample by sample."""
-    segments, samples = problem.standing.shape[:2]
+    segments, samples = len(problem.time) - 1, len(problem.standing)
     e = 0.5 * float(np.repeat(problem.anchor_stiffness, 3) @ (control[-1] - problem.anchor) ** 2)
     for i in range(segments):
         duration = problem.time[i + 1] - problem.time[i]
         for j in range(samples):
             t = problem.time[i] + (j + 0.5) / samples * duration
             com, _, acceleration = hermite(problem.time, control, t)
-            on = problem.standing[i, j]
-            part = physics_cost(com, acceleration, list(problem.support_point[i, j][on]))
-            legs = problem.leg_origin[i, j][on], problem.nominal_length[i, j][on]
+            on = problem.standing[j, :, i]
+            part = physics_cost(com, acceleration, list(problem.support_point[j, :, :, i][on]))
+            legs = problem.leg_origin[j, :, :, i][on], problem.nominal_length[j, :, i][on]
             part += comfort_cost(com, *legs, problem.max_length[0], problem.comfort_weight)
             e += part * duration / samples
         for end in (0, 1):
             if problem.fixed[i + end]:
                 continue
-            legs = problem.end_origin[i, end][problem.end_standing[i, end]]
+            legs = problem.end_origin[end, :, :, i][problem.end_standing[end, :, i]]
             e += reach_cost(control[i + end, :3], legs, problem.max_length[0], problem.comfort_weight)
     return e
 
 
 def normal_equations(problem, control, eps):
     """Gauss-Newton (h (m + 1, 6, m + 1, 6), g (m + 1, 6)) of E: J^T M J + C, sample by sample with dense Jacobians."""
-    segments, samples = problem.standing.shape[:2]
+    segments, samples = len(problem.time) - 1, len(problem.standing)
     h, g = np.zeros((segments + 1, 6, segments + 1, 6)), np.zeros((segments + 1, 6))
     for i in range(segments):
         duration = problem.time[i + 1] - problem.time[i]
@@ -74,15 +74,15 @@ def normal_equations(problem, control, eps):
             unit = np.eye(12).reshape(12, 2, 6)
             basis = [hermite(problem.time[i : i + 2], u, t) for u in unit]
             dc, da = np.array([b[0] for b in basis]).T, np.array([b[2] for b in basis]).T
-            points = [tuple(p) for p in problem.support_point[i, j]]
-            on = problem.standing[i, j]
+            points = [tuple(p) for p in problem.support_point[j, :, :, i]]
+            on = problem.standing[j, :, i]
             _, phi, force, lower = cost.physics_model(tuple(com), tuple(acceleration - GRAVITY), *points, *on, eps)
             both = da - phi * dc
             part = both.T @ whole(lower) @ both
             slope = both.T @ np.array(force)
             for leg in range(2):
-                origin = tuple(problem.leg_origin[i, j, leg])
-                lengths = problem.nominal_length[i, j, leg], problem.max_length[leg]
+                origin = tuple(problem.leg_origin[j, leg, :, i])
+                lengths = problem.nominal_length[j, leg, i], problem.max_length[leg]
                 _, force, lower = cost.comfort_model(tuple(com), origin, on[leg], *lengths, problem.comfort_weight)
                 part += dc.T @ whole(lower) @ dc
                 slope += dc.T @ np.array(force)

@@ -18,7 +18,7 @@ def solver(problem, eps: float):
     """Function of control (m + 1, 6), the start, that returns the optimum; nothing may be fixed or out of reach."""
     import casadi
 
-    m, samples = problem.standing.shape[:2]
+    m, samples = len(problem.time) - 1, len(problem.standing)
     x, pushes, e = casadi.SX.sym("x", 6, m + 1), [], 0
     for i in range(m):
         duration = problem.time[i + 1] - problem.time[i]
@@ -28,11 +28,11 @@ def solver(problem, eps: float):
             com = knots @ casadi.DM(spline.position_weights(s, duration))
             r = knots @ casadi.DM(spline.acceleration_weights(s, duration)) + casadi.DM([0, 0, cost.GRAVITY])
             part = 0
-            for leg in np.flatnonzero(problem.standing[i, j]):
+            for leg in np.flatnonzero(problem.standing[j, :, i]):
                 pushes.append(casadi.SX.sym(f"a{i}_{j}_{leg}"))
-                along = com - casadi.DM(problem.support_point[i, j, leg])
+                along = com - casadi.DM(problem.support_point[j, leg, :, i])
                 r -= pushes[-1] * along / casadi.norm_2(along)
-                stretch = casadi.norm_2(com - casadi.DM(problem.leg_origin[i, j, leg])) - problem.nominal_length[i, j, leg]
+                stretch = casadi.norm_2(com - casadi.DM(problem.leg_origin[j, leg, :, i])) - problem.nominal_length[j, leg, i]
                 part += problem.comfort_weight * stretch**2
             e += duration / samples * (casadi.sqrt(casadi.sumsqr(r) + eps**2) + part)
     unknowns = casadi.vertcat(casadi.vec(x), *pushes)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion import newton, window
+from motion import laying, newton, window
 from motion.biped import load_biped
 from motion.jit import jit
 from motion.problem import total_cost
@@ -62,13 +62,28 @@ def _window(sim: Simulation, begin, start, old_time, old_control) -> Window:
     return Window(sim.bipeds[0], track, begin, window_end(track), start, old_time, old_control)
 
 
+def solve(one: Window, effort: newton.Effort) -> tuple[np.ndarray, np.ndarray, float, int]:
+    """(time, control, E, iterations) of a window from its own warm start."""
+    time, control, support = _room(one)
+    points, e, iterations = window.optimise_window(*one[:5], len(one.old_time), time, control, support, effort)
+    return time[:points], control[:points], e, iterations
+
+
+def _room(one: Window) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """time, control and support that hold the previous window's curve, and will hold this one's."""
+    room, kept = 2 * len(one.track.side) + 3, len(one.old_time)
+    time, control = np.zeros(room), np.zeros((room, 6))
+    time[:kept], control[:kept] = one.old_time, one.old_control
+    return time, control, np.zeros((room, 2), np.int64)
+
+
 def solve_seconds(windows: list[Window], effort: newton.Effort) -> list[float]:
     """Seconds to solve each window, from its own warm start, without Python's share."""
     seconds = []
     for one in windows:
-        _solve_often(1, *one, effort)
+        _solve_often(1, *one, *_room(one), effort)
         began = perf_counter()
-        _solve_often(REPEATS, *one, effort)
+        _solve_often(REPEATS, *one, *_room(one), effort)
         seconds.append((perf_counter() - began) / REPEATS)
     return seconds
 
@@ -77,7 +92,7 @@ def over_tight(windows: list[Window], effort: newton.Effort) -> float:
     """E of all windows over E of the same windows solved tightly: the better from the same start or on from the solution."""
     live, tight = 0.0, 0.0
     for one in windows:
-        control = window.optimise_window(*one, effort)[1]
+        control = solve(one, effort)[1]
         problem, _ = window.lay_window(*one[:4])
         again = np.zeros_like(control)
         window.begin_window(one.track, problem, again, *one[4:])
@@ -87,9 +102,11 @@ def over_tight(windows: list[Window], effort: newton.Effort) -> float:
 
 
 @jit
-def _solve_often(times, b, track, begin, end, start, old_time, old_control, effort):
+def _solve_often(times, b, track, begin, end, start, old_time, old_control, time, control, support, effort):
     for _ in range(times):
-        window.optimise_window(b, track, begin, end, start, old_time, old_control, effort)
+        time[: len(old_time)] = old_time
+        control[: len(old_time)] = old_control
+        window.optimise_window(b, track, begin, end, start, len(old_time), time, control, support, effort)
 
 
 def whole_track(sim: Simulation) -> Track:
@@ -103,7 +120,7 @@ def over_global(sim: Simulation, times: np.ndarray, controls: np.ndarray) -> flo
     track = whole_track(sim)
     walking = times >= track.contact_time[3] - 1e-9  # the standing start is left out
     times, controls = times[walking], controls[walking]
-    problem, _ = window.build_problem(sim.bipeds[0], track, times[0], times[-1], SAMPLES, False)
+    problem, _ = laying.build_problem(sim.bipeds[0], track, times[0], times[-1], SAMPLES, False)
     if len(problem.time) != len(times) or np.abs(problem.time - times).max() > 1e-6:
         raise RuntimeError("the committed curve's phases are not those of the footprints")
     committed = total_cost(problem, controls)

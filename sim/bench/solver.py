@@ -6,6 +6,7 @@ from time import perf_counter
 import numpy as np
 
 from motion import greedy, newton
+from motion.equations import assemble, empty_equations
 from motion.problem import straight_guess, total_cost
 from sim.bench import ipopt
 from sim.bench.tracks import TRACKS, twelve_steps
@@ -52,10 +53,10 @@ def _lbfgs(problem, x: np.ndarray) -> float:
         from scipy.optimize import minimize
     except ImportError:
         return float("nan")
-    work = newton.workspace(len(problem.time) - 1, problem.support_point.shape[1])
+    equations = empty_equations(len(problem.time) - 1)
 
     def smooth(flat):
-        return newton.assemble(problem, flat.reshape(-1, 6), SMOOTHING, work), work.gradient.ravel().copy()
+        return assemble(problem, flat.reshape(-1, 6), SMOOTHING, equations), equations.gradient.ravel().copy()
 
     options = {"maxiter": 2000, "maxfun": 3000}
     found = minimize(smooth, x.ravel(), jac=True, method="L-BFGS-B", options=options)

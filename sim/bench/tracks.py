@@ -26,6 +26,6 @@ def twelve_steps(
             for n in range(12):
                 if n * step_time <= t < n * step_time + stance_time:
                     point = (n * step_length, 0.1 - 0.2 * (n % 2), n * rise)
-                    problem.support_point[i, j, n % 2] = problem.leg_origin[i, j, n % 2] = point
-                    problem.standing[i, j, n % 2] = True
+                    problem.support_point[j, n % 2, :, i] = problem.leg_origin[j, n % 2, :, i] = point
+                    problem.standing[j, n % 2, i] = True
     return problem

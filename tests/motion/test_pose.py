@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from motion import foot, heading, legs, newton, swing, window
+from motion import foot, heading, laying, legs, newton, swing
 from motion.biped import CharacterError, character_names, load_biped
 from motion.pose import empty_pose, pose_kernel
 from motion.problem import straight_guess
@@ -27,7 +27,7 @@ def straight_walk(b, n=14, stride=1.0, turn=0.0):
 
 
 def solved(b, track):
-    problem, _ = window.build_problem(b, track, track.contact_time[1], track.contact_time[-1], 5, False)
+    problem, _ = laying.build_problem(b, track, track.contact_time[1], track.contact_time[-1], 5, False)
     control = np.zeros((len(problem.time), 6))
     straight_guess(problem, control, 0)
     newton.minimise(problem, control, newton.SCENE)

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from motion import greedy, newton
+from motion import greedy, newton, tridiagonal
+from motion.equations import assemble, empty_equations
 from motion.problem import straight_guess, total_cost
 from sim.bench.tracks import TRACKS, twelve_steps
 from tests import reference
@@ -33,11 +34,11 @@ def test_newton_is_never_above_greedy(name):
 def test_scipy_finds_nothing_better_nearby(name):
     problem = twelve_steps(**TRACKS[name])
     e, control = solved(problem, newton, newton.TIGHT)
-    work = newton.workspace(len(control) - 1, 10)
+    equations = empty_equations(len(control) - 1)
 
     def smooth(x):
-        value = newton.assemble(problem, x.reshape(-1, 6), 1e-4, work)
-        return value, work.gradient.ravel().copy()
+        value = assemble(problem, x.reshape(-1, 6), 1e-4, equations)
+        return value, equations.gradient.ravel().copy()
 
     found = minimize(smooth, control.ravel(), jac=True, method="L-BFGS-B", options={"maxiter": 500})
     assert e <= 1.002 * total_cost(problem, found.x.reshape(-1, 6))
@@ -50,28 +51,34 @@ def test_scenes_come_within_two_percent_of_the_best(name, by_phase):
     assert solved(problem, newton, newton.SCENE)[0] <= 1.02 * solved(problem, newton, newton.TIGHT)[0]
 
 
+def block(columns):
+    """The symmetric 6x6 block of columns whose lower triangle counts."""
+    lower = np.tril(columns[:, :6].T)
+    return lower + np.tril(lower, -1).T
+
+
 def test_step_solves_the_damped_normal_equations():
     """Against a dense matrix of the same blocks, with control points fixed at an end and in the middle."""
     problem = twelve_steps()
     problem.fixed[[0, 5]] = True
     control = np.zeros((13, 6))
     straight_guess(problem, control, 0)
-    work = newton.workspace(12, 10)
-    newton.assemble(problem, control, 0.1, work)
-    decrease = newton.solve(problem, work)
+    equations, factor = empty_equations(12), tridiagonal.empty_factor(12)
+    assemble(problem, control, 0.1, equations)
+    decrease = tridiagonal.solve(problem, equations, factor)
     h = np.zeros((13, 6, 13, 6))
     for i in range(13):
-        h[i, :, i] = np.tril(work.diagonal[i]) + np.tril(work.diagonal[i], -1).T
+        h[i, :, i] = block(equations.diagonal[i])
         if i < 12:
-            h[i + 1, :, i] = work.lower[i]
-            h[i, :, i + 1] = work.lower[i].T
+            h[i + 1, :, i] = equations.lower[i, :, :6].T
+            h[i, :, i + 1] = equations.lower[i, :, :6]
     free = np.flatnonzero(np.repeat(~problem.fixed, 6))
     h = h.reshape(78, 78)[np.ix_(free, free)]
-    h += newton.DAMPING * np.diag(np.diag(h))
+    h += tridiagonal.DAMPING * np.diag(np.diag(h))
     expected = np.zeros(78)
-    expected[free] = -np.linalg.solve(h, work.gradient.ravel()[free])
-    np.testing.assert_allclose(work.step.ravel(), expected, rtol=1e-6, atol=1e-9)
-    assert decrease == pytest.approx(-0.5 * expected @ work.gradient.ravel())
+    expected[free] = -np.linalg.solve(h, equations.gradient.ravel()[free])
+    np.testing.assert_allclose(factor.step.ravel(), expected, rtol=1e-6, atol=1e-9)
+    assert decrease == pytest.approx(-0.5 * expected @ equations.gradient.ravel())
 
 
 def test_hessian_is_the_samples_models_spread():
@@ -81,14 +88,14 @@ def test_hessian_is_the_samples_models_spread():
     control = np.zeros((25, 6))
     straight_guess(problem, control, 0)
     control += rng.normal(0, 0.02, control.shape)
-    work = newton.workspace(24, 5)
-    newton.assemble(problem, control, 0.1, work)
+    equations = empty_equations(24)
+    assemble(problem, control, 0.1, equations)
     h, g = reference.normal_equations(problem, control, 0.1)
     for i in range(25):
-        np.testing.assert_allclose(np.tril(work.diagonal[i]), np.tril(h[i, :, i]), rtol=1e-9, atol=1e-6)
+        np.testing.assert_allclose(block(equations.diagonal[i]), h[i, :, i], rtol=1e-9, atol=1e-6)
         if i < 24:
-            np.testing.assert_allclose(work.lower[i], h[i + 1, :, i], rtol=1e-9, atol=1e-6)
-    np.testing.assert_allclose(work.gradient, g, rtol=1e-9, atol=1e-9)
+            np.testing.assert_allclose(equations.lower[i, :, :6].T, h[i + 1, :, i], rtol=1e-9, atol=1e-6)
+    np.testing.assert_allclose(equations.gradient, g, rtol=1e-9, atol=1e-9)
 
 
 def test_fixed_control_points_stay():
@@ -115,14 +122,14 @@ def test_greedy_never_climbs():
 
 def test_long_tracks_grow_no_worse_than_their_problems():
     """Twice the footprints, twice the segments and the same cost per segment: the sizes that times are linear in."""
-    from motion import window
+    from motion import laying
     from motion.biped import load_biped
     from tests.motion.test_pose import straight_walk
 
     b = load_biped("human").record
     costs = []
     for n in (500, 1000):
-        problem, _ = window.build_problem(b, straight_walk(b, n), 0.0, (n - 1) * 0.5, 5, False)
+        problem, _ = laying.build_problem(b, straight_walk(b, n), 0.0, (n - 1) * 0.5, 5, False)
         control = np.zeros((len(problem.time), 6))
         straight_guess(problem, control, 0)
         e, used = newton.minimise(problem, control, newton.LIVE)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from motion import foot, heading, newton, phases, spline, window
+from motion import foot, heading, laying, newton, phases, spline, window
 from motion.biped import load_biped
 from sim.bench import live
 from tests import reference
@@ -19,19 +19,19 @@ def windows():
 def test_laying_asks_the_foot_and_the_heading(windows, by_step):
     for one in windows[::16]:
         b, track = one.b, one.track
-        problem, _ = window.build_problem(b, track, one.begin, one.end, 5, by_step)
-        for i, j in np.ndindex(problem.standing.shape[:2]):
+        problem, _ = laying.build_problem(b, track, one.begin, one.end, 5, by_step)
+        for i, j in np.ndindex(len(problem.time) - 1, len(problem.standing)):
             t = problem.time[i] + (j + 0.5) / 5 * (problem.time[i + 1] - problem.time[i])
             support = phases.support_at(track.side, track.contact_time, track.stance_time, 0, t)
-            check_legs(b, track, support, t, problem.standing[i, j], problem.leg_origin[i, j])
+            check_legs(b, track, support, t, problem.standing[j, :, i], problem.leg_origin[j, :, :, i])
             for leg, n in enumerate(support):
                 if n >= 0:
                     point = foot.point_of_support(b, track, n, (t - track.contact_time[n]) / track.stance_time[n])
-                    np.testing.assert_allclose(problem.support_point[i, j, leg], point, atol=1e-12)
+                    np.testing.assert_allclose(problem.support_point[j, leg, :, i], point, atol=1e-12)
             if j in (0, 4):
                 end = j // 4
                 edge = problem.time[i + end]
-                check_legs(b, track, support, edge, problem.end_standing[i, end], problem.end_origin[i, end])
+                check_legs(b, track, support, edge, problem.end_standing[end, :, i], problem.end_origin[end, :, :, i])
 
 
 def check_legs(b, track, support, t, standing, origin):

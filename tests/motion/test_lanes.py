@@ -1,0 +1,85 @@
+"""Lanes against plain numbers: the same kernel, the same bits; and numpy."""
+
+import numpy as np
+import pytest
+
+from motion.jit import jit, jit_borrowing, jit_inline, stack_array
+from motion.lanes import LANES, anywhere, choose, lanes_of, larger, load, root, store, total
+
+N = 5 * LANES
+
+
+@jit_inline
+def formula(x, y, on):
+    r = root(x * x + y * y) / 3 - 2 * x
+    r += y
+    r *= 0.7
+    r -= -x
+    r /= 1.5
+    return choose(on & (r > 0.1), r, 1 - y), larger(x, y), choose((x >= y) | (y <= 0.0), 1.0, r), choose(x < 0.5, x, 0.0)
+
+
+@jit
+def by_lanes(x, y, on, out):
+    for i in range(0, len(x), LANES):
+        a, b, c, d = formula(load(x, (i,)), load(y, (i,)), load(on, (i,)))
+        store(out, (0, i), a)
+        store(out, (1, i), b)
+        store(out, (2, i), c)
+        store(out, (3, i), d)
+
+
+@jit
+def by_numbers(x, y, on, out):
+    for i in range(len(x)):
+        out[0, i], out[1, i], out[2, i], out[3, i] = formula(x[i], y[i], on[i])
+
+
+@pytest.fixture
+def numbers():
+    rng = np.random.default_rng(1)
+    return rng.normal(size=N), rng.normal(size=N), rng.random(N) < 0.5
+
+
+def test_lanes_are_numbers_to_the_bit(numbers):
+    lanes, plain = np.zeros((4, N)), np.zeros((4, N))
+    by_lanes(*numbers, lanes)
+    by_numbers(*numbers, plain)
+    np.testing.assert_array_equal(lanes, plain)
+
+
+def test_formula_is_numpy_s(numbers):
+    x, y, on = numbers
+    lanes = np.zeros((4, N))
+    by_lanes(*numbers, lanes)
+    r = ((np.hypot(x, y) / 3 - 2 * x + y) * 0.7 + x) / 1.5
+    np.testing.assert_allclose(lanes[0], np.where(on & (r > 0.1), r, 1 - y), rtol=1e-12)
+    np.testing.assert_array_equal(lanes[1], np.maximum(x, y))
+    np.testing.assert_allclose(lanes[2], np.where((x >= y) | (y <= 0), 1.0, r), rtol=1e-12)
+    np.testing.assert_array_equal(lanes[3], np.where(x < 0.5, x, 0.0))
+
+
+@jit
+def sums(x, limit):
+    return total(lanes_of(x[3], x[2], x[1], x[0])), anywhere(load(x, (0,)) > limit)
+
+
+@pytest.mark.parametrize("limit, found", [(0.5, True), (3.5, True), (4.0, False)])
+def test_sum_and_anywhere(limit, found):
+    assert sums(np.array([1.0, 2.0, 3.0, 4.0]), limit) == (10.0, found)
+
+
+_small = stack_array(3, 2)
+
+
+@jit_borrowing
+def fibonacci(n):
+    array = _small()
+    array[:] = 1.0
+    for k in range(n):
+        array[(k + 2) % 3, 1] = array[(k + 1) % 3, 1] + array[k % 3, 1]
+    return array[(n + 1) % 3, 1], array.shape[0], array[2, 0]
+
+
+def test_array_on_the_stack_is_an_array():
+    assert fibonacci(10) == (144.0, 3, 1.0)
