@@ -44,14 +44,14 @@ from numba.core import cgutils, types  # noqa: E402
 from numba.extending import intrinsic  # noqa: E402
 
 _OWNING: dict[str, Any] = {"cache": True, "error_model": "numpy", "nogil": True, "_nrt": True}
-_BORROWING: dict[str, Any] = _OWNING | {"_nrt": False}
+BORROWING: dict[str, Any] = _OWNING | {"_nrt": False}
 
 jit = numba.njit(**_OWNING)
-jit_borrowing = numba.njit(**_BORROWING)
+jit_borrowing = numba.njit(**BORROWING)
 """For kernels that make no arrays: they only borrow those they are given, and do not count who holds them. Counting is a
 call and a locked addition for every mention of an array, which took half of the time. What they return must be numbers, or
 arrays that passed through `borrowed`."""
-jit_inline = numba.njit(**_BORROWING, forceinline=True)
+jit_inline = numba.njit(**BORROWING, forceinline=True)
 """For the few small functions inside the hottest loops: a call would copy its arguments, arrays' headers included. They
 make no arrays either."""
 jit_parallel = numba.njit(**_OWNING, parallel=True)

@@ -11,8 +11,10 @@ import numpy as np
 from numba import prange
 
 from motion import foot
+from motion.biped import BIPED
 from motion.jit import borrowed, jit, jit_borrowing, jit_parallel
-from motion.pose import pose_kernel
+from motion.parts import handle
+from motion.pose import empty_pose, pose_kernel
 from motion.spline import position_at
 from motion.track import Track
 
@@ -22,8 +24,8 @@ TENTATIVE = 3
 """Footprints beyond the newest, known only to the window."""
 CURVE = 14
 """Committed segments kept."""
-SHARE = 32
-"""Characters that a thread takes at a time: handing over all arrays costs as much as a tenth of a pose."""
+SHARE = 8
+"""Characters that a thread takes at a time."""
 _ROWS = REAL + TENTATIVE
 _WINDOW = 2 * _ROWS + 2
 
@@ -173,8 +175,12 @@ def horizon(crowd, c):
     return crowd.curve_time[c, crowd.curve_count[c]]
 
 
+_lend, _opened = handle((empty_crowd(np.zeros(1)), np.zeros(1, BIPED).view(np.recarray), empty_pose(1)))
+
+
 @jit_borrowing
-def _pose_some(crowd, bipeds, t, rows, begin, pose):
+def _pose_some(address, t, rows, begin):
+    crowd, bipeds, pose = _opened(address)
     for k in range(begin, min(begin + SHARE, len(rows))):
         c = rows[k]
         m = crowd.curve_count[c]
@@ -185,10 +191,15 @@ def _pose_some(crowd, bipeds, t, rows, begin, pose):
 
 
 @jit_parallel
+def _pose_shares(address, t, rows):
+    for share in prange((len(rows) + SHARE - 1) // SHARE):
+        _pose_some(address, t, rows, np.int64(share) * SHARE)  # prange counts unsigned: kernels would be compiled twice
+
+
+@jit
 def pose_all(crowd, bipeds, t, rows, pose):
     """Poses the characters `rows` (K,) at time t [s] into pose, a motion.pose.Pose of K rows."""
-    for share in prange((len(rows) + SHARE - 1) // SHARE):
-        _pose_some(crowd, bipeds, t, rows, np.int64(share) * SHARE, pose)
+    _pose_shares(_lend((crowd, bipeds, pose)), t, rows)
 
 
 @jit_borrowing

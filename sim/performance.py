@@ -2,17 +2,62 @@
 
 import numpy as np
 
-from motion import newton
+from motion import newton, window
 from motion.biped import load_biped
+from motion.jit import jit, jit_borrowing
+from planner import plan
 from planner import script as scripts
-from sim import rounds
+from sim import rows
 from sim.cast import TICK_RATE, Cast
+from sim.crowd import above_feet, track_of
+from sim.steps import lay_way, set_timing, write
 from worlds.errors import InputError
 from worlds.scene import Scene
 
 SAMPLES = 10
 SHORTEST_SWING = 0.05
 """A foot must have left for this long [s] before it lands again."""
+
+
+@jit
+def perform(crowd, bipeds, w, c, script, samples, by_step, effort):
+    """Lets character c, which stands, do all of a planner.script.Script, and then stand; returns (E, iterations)."""
+    for k in range(len(script.side)):
+        n = crowd.real[c]
+        write(crowd, bipeds, c, n, plan.scripted(bipeds[crowd.kind[c]], w, script, k, track_of(crowd, c, n)))
+        _own_timing(crowd, bipeds, c, n, script, k)
+        crowd.nominal_length[c, n] *= script.crouch[k]
+        crowd.facing[c, n] = script.facing[k]
+        crowd.real[c] = n + 1
+    n = crowd.real[c]
+    crowd.roll[c, n - 2 : n, 1] = 0.5
+    if script.support != scripts.ROLL:
+        crowd.roll[c, 2:n] = 0.5 if script.support == scripts.MIDDLE else 1.0
+    end = crowd.contact_time[c, n - 1] + script.rest
+    crowd.stance_time[c, n - 2 : n] = end + plan.STAND_TIME - crowd.contact_time[c, n - 2 : n]
+    for k in range(2, n):
+        lay_way(crowd, bipeds, w, c, k)
+    finish = np.empty(6)
+    above_feet(bipeds[crowd.kind[c]], track_of(crowd, c, n), finish)
+    time, control, support, e, iterations = window.optimise_track(
+        bipeds[crowd.kind[c]], track_of(crowd, c, n), crowd.curve_time[c, 0], end, crowd.control[c, 0], finish, samples,
+        by_step, effort,
+    )  # fmt: skip
+    rows.commit(crowd, c, time, control, support, end)
+    return e, iterations
+
+
+@jit_borrowing
+def _own_timing(crowd, bipeds, c, n, script, k):
+    """Timing given by the script replaces the automatic one (NaN: none)."""
+    step, stance = crowd.step_time[c, n - 1], crowd.stance_time[c, n - 1]
+    if not np.isnan(script.stance_time[k]):
+        stance = script.stance_time[k]
+    elif not np.isnan(script.step_time[k]):
+        stance *= script.step_time[k] / step
+    if not np.isnan(script.step_time[k]):
+        step = script.step_time[k]
+    set_timing(crowd, bipeds[crowd.kind[c]], c, n, script.wait[k] > 0, step, stance)
 
 
 class Performance(Cast):
@@ -22,20 +67,20 @@ class Performance(Cast):
         biped = load_biped(scene.character)
         prints = scripts.prints_of(scene, biped)
         script = scripts.script_of(scene, prints)
-        rows = len(script.side) + 2
-        super().__init__(scene.world, [biped], 0, tick_rate, rows=rows, segments=2 * rows + 2)
+        room = len(script.side) + 2
+        super().__init__(scene.world, [biped], 0, tick_rate, rows=room, segments=2 * room + 2)
         self.scene = scene
         heading = np.unwrap(np.radians([p.heading_deg for p in prints[:2]]))
         places = np.array([(*p.position, h) for p, h in zip(prints[:2], heading, strict=True)])
         self.stand(0, int(prints[1].side == "right"), places)
         w = self.world.arrays
         by_step = scene.segments == "step"
-        self.cost, self.iterations = rounds.perform(self.crowd, self.bipeds, w, 0, script, SAMPLES, by_step, effort)
+        self.cost, self.iterations = perform(self.crowd, self.bipeds, w, 0, script, SAMPLES, by_step, effort)
         self.end = float(self.crowd.curve_time[0, self.crowd.curve_count[0]])
         self._check(scene)
         self.crowd.real[0] = 2
         self.footprints.keep(self.crowd)
-        for n in range(3, rows + 1):  # the log takes rows as if they had just been placed
+        for n in range(3, room + 1):  # the log takes rows as if they had just been placed
             self.crowd.real[0] = n
             self.footprints.add(self.crowd, np.ones(1, np.int64))
 

@@ -1,93 +1,36 @@
-"""One round of the paper's loop (section 4.2), and a scripted character's only one.
-
-Live: footprint n is placed and timed, tentative footprints behind it, step n - 1 is optimised in its window and committed.
-Scripted: all footprints are placed and timed, and the whole curve is optimised at once.
+"""One round of the paper's loop (section 4.2): footprint n is placed and timed, tentative footprints behind it, step n - 1 is
+optimised in its window and committed. All who are due in a tick decide, then all show what they have decided.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 from numba import prange
 
-from motion import window
+from motion import newton, window
+from motion.biped import BIPED
 from motion.jit import jit, jit_borrowing, jit_parallel
-from planner import avoiding, placing, plan, reservations, timing
-from planner.script import MIDDLE, ROLL
-from sim import rows
-from sim.crowd import REAL, TENTATIVE, above_feet, horizon, track_of
+from motion.parts import Part, call, handle
+from planner import avoiding, plan, reservations
+from sim import rows, steps
+from sim.crowd import REAL, SHARE, TENTATIVE, empty_crowd, horizon, track_of
+from worlds.world import World
 
 WINDOW_TAIL = 0.0
 """Share of a step that the window goes on after the last tentative contact: more steadies its end, and costs time."""
 
-
-@jit_borrowing
-def _write(crowd, bipeds, c, n, f):
-    """Puts planned footprint f (a planner.plan.Placed) at row n, times the one it leaves, and lays the way to it."""
-    b = bipeds[crowd.kind[c]]
-    crowd.side[c, n] = f.side
-    crowd.position[c, n, 0], crowd.position[c, n, 1], crowd.position[c, n, 2] = f.x, f.y, f.z
-    crowd.heading[c, n] = f.heading
-    crowd.normal[c, n, 0], crowd.normal[c, n, 1], crowd.normal[c, n, 2] = f.nx, f.ny, f.nz
-    crowd.rock[c, n] = f.rock
-    crowd.stands[c, n] = f.stands
-    crowd.facing[c, n] = 0.0
-    _roll(crowd, c, n, f.stands)
-    step, stance = _timing(crowd, b, c, n, f)
-    _time(crowd, b, c, n, f.stands, step, stance)
-
-
-@jit_borrowing
-def _roll(crowd, c, n, stands):
-    """Where the support begins on footprint n and ends on n - 1: heel to toe forward, toe to heel backward, else between."""
-    ahead = 0.0 if stands else placing.forwardness(crowd.position[c, n - 1], crowd.position[c, n], crowd.heading[c, n])
-    if not stands:
-        left = placing.forwardness(crowd.position[c, n - 1], crowd.position[c, n], crowd.heading[c, n - 1])
-        crowd.roll[c, n - 1, 1] = 0.5 + 0.5 * left
-    crowd.roll[c, n, 0] = 0.5 - 0.5 * ahead
-    crowd.roll[c, n, 1] = 0.5 + 0.5 * ahead
-
-
-@jit_borrowing
-def _length(crowd, c, n):
-    """Horizontal length of the step to footprint n [m]."""
-    p, q = crowd.position[c, n - 1], crowd.position[c, n]
-    return ((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2) ** 0.5
-
-
-@jit_borrowing
-def _timing(crowd, b, c, n, f):
-    """(step time, stance time) of footprint n - 1 from the step to footprint n (paper, section 4.1)."""
-    if f.stands:
-        return f.wait, f.wait + plan.START_OVERLAP * timing.pendulum_time(b)
-    rise = crowd.position[c, n, 2] - crowd.position[c, n - 1, 2]
-    turn = abs(crowd.heading[c, n] - crowd.heading[c, n - 1])
-    step, stance = timing.step_timing(b, _length(crowd, c, n), rise, turn, f.side == crowd.side[c, n - 1])
-    overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
-    longer = max(timing.least_step_time(b, overlap) - step, 0.0)
-    return step + longer, stance + longer
-
-
-@jit_borrowing
-def _time(crowd, b, c, n, stands, step, stance):
-    """Sets the timing of footprint n - 1, the same as a first guess for n's own, and the leg that the pace asks for."""
-    if stands:
-        crowd.stance_time[c, n - 2] = crowd.contact_time[c, n - 1] + step - crowd.contact_time[c, n - 2]
-        crowd.roll[c, n - 2, 1] = 0.5
-    crowd.step_time[c, n - 1] = step
-    crowd.stance_time[c, n - 1] = stance
-    crowd.contact_time[c, n] = crowd.contact_time[c, n - 1] + step
-    crowd.step_time[c, n] = step
-    crowd.stance_time[c, n] = stance
-    rise = crowd.position[c, n, 2] - crowd.position[c, n - 1, 2]
-    crowd.nominal_length[c, n] = b.nominal_length if stands else timing.nominal_length(b, _length(crowd, c, n), step, rise)
-
-
-@jit_borrowing
-def _lay_way(crowd, bipeds, w, c, n):
-    """Lift and hold of the swing that arrives at footprint n."""
-    before = n - 1
-    while before > 0 and crowd.side[c, before] != crowd.side[c, n]:
-        before -= 1
-    b = bipeds[crowd.kind[c]]
-    placing.lay_swing(b, w, track_of(crowd, c, n + 1), before, n)
+lend, opened = handle(
+    (
+        empty_crowd(np.zeros(1)),
+        np.zeros(1, BIPED).view(np.recarray),
+        World("sample", (1.0, 1.0)).arrays,
+        plan.plans_of(plan.STAND, 1),
+        reservations.empty_reservations(np.ones(1, BIPED).view(np.recarray), np.zeros(1, np.int64), (1.0, 1.0)),
+        0,
+        newton.LIVE,
+    )
+)
+"""What a round works on: crowd, bipeds, world, plans, reservations, seed, effort."""
 
 
 @jit_borrowing
@@ -133,12 +76,12 @@ def _place(crowd, bipeds, w, plans, r, c, seed):
             if k == n and plan.avoids(plans, c):
                 placed = _make_way(crowd, b, w, r, c, seed, n, wish)
                 hindered = placed.stands and not wish.stands
-        _write(crowd, bipeds, c, k, placed)
+        steps.write(crowd, bipeds, c, k, placed)
         if k == n:
             crowd.standing[c] = placed.stands
     crowd.lift[c, n] = 0.0
     if not crowd.standing[c]:
-        _lay_way(crowd, bipeds, w, c, n)
+        steps.lay_way(crowd, bipeds, w, c, n)
 
 
 @jit_borrowing
@@ -158,9 +101,10 @@ def window_end(track):
     return track.contact_time[last] + WINDOW_TAIL * track.step_time[last]
 
 
-@jit_borrowing
-def optimise_step(crowd, bipeds, c, effort):
-    """Solves the window over the real and tentative footprints and commits step n - 1 (paper, section 4.2)."""
+@Part
+def optimise_step(address, c):
+    """Solves character c's window over the real and tentative footprints and commits step n - 1 (paper, section 4.2)."""
+    crowd, bipeds, _, _, _, _, effort = opened(address)
     n, committed = crowd.real[c] - 1, crowd.curve_count[c]
     track = track_of(crowd, c, n + TENTATIVE + 1)
     time, control, support = crowd.window_time[c], crowd.window_control[c], crowd.window_support[c]
@@ -173,9 +117,10 @@ def optimise_step(crowd, bipeds, c, effort):
     rows.commit(crowd, c, time[:points], control[:points], support[: points - 1], track.contact_time[n - 1])
 
 
-@jit_borrowing
-def plan_step(crowd, bipeds, w, plans, r, c, seed):
+@Part
+def plan_step(address, c):
     """Character c's footprint n, its timing, and the tentative footprints behind it."""
+    crowd, bipeds, w, plans, r, seed, _ = opened(address)
     if crowd.real[c] == REAL:
         rows.shift(crowd, c)
     n = crowd.real[c]
@@ -186,11 +131,16 @@ def plan_step(crowd, bipeds, w, plans, r, c, seed):
     crowd.real[c] = n + 1
 
 
-@jit_borrowing
-def _advance(crowd, bipeds, w, plans, r, c, seed, effort):
-    """One round of the paper's loop: footprint n, its timing, tentative footprints, step n - 1 optimised, committed."""
-    plan_step(crowd, bipeds, w, plans, r, c, seed)
-    optimise_step(crowd, bipeds, c, effort)
+class Round(NamedTuple):
+    """The parts of one round of the paper's loop, by where they lie: kernels get them as an argument."""
+
+    plan: int
+    optimise: int
+
+
+def parts() -> Round:
+    """The parts, compiled."""
+    return Round(plan_step.address, optimise_step.address)
 
 
 @jit_borrowing
@@ -212,11 +162,11 @@ def publish(crowd, bipeds, r, c):
         r.way[c, k, 2] = crowd.contact_time[c, row] + late
 
 
-@jit_parallel
-def publish_all(crowd, bipeds, r):
-    """Lets everyone see everyone: where a simulation begins, or goes on after it was restored."""
-    for row in prange(len(crowd.kind)):
-        publish(crowd, bipeds, r, np.int64(row))  # prange counts unsigned: kernels would be compiled a second time
+@jit_borrowing
+def publish_all(crowd, bipeds, r, who):
+    """Lets everyone see the characters `who` (K,)."""
+    for c in who:
+        publish(crowd, bipeds, r, c)
 
 
 @jit
@@ -231,69 +181,35 @@ def due_now(r, until, placed):
     return due[:count].copy()
 
 
+@jit_borrowing
+def _advance_some(one, address, turn, begin):
+    for k in range(begin, min(begin + SHARE, len(turn))):
+        call(one.plan, address, turn[k])
+        call(one.optimise, address, turn[k])
+
+
 @jit_parallel
-def _take_turn(crowd, bipeds, w, plans, r, turn, seed, effort):
-    """All of `turn` decide against what was published before, then all publish: the order of threads does not matter."""
-    for k in prange(len(turn)):
-        _advance(crowd, bipeds, w, plans, r, turn[k], seed, effort)
-    for k in prange(len(turn)):
-        publish(crowd, bipeds, r, turn[k])
+def _advance_shares(one, address, turn):
+    for share in prange((len(turn) + SHARE - 1) // SHARE):
+        _advance_some(one, address, turn, np.int64(share) * SHARE)  # prange counts unsigned: all would be compiled twice
 
 
 @jit
-def advance_all(crowd, bipeds, w, plans, r, seed, until, effort, placed):
-    """Plans every character whose committed curve ends before `until` [s]; placed (C,) counts the new footprints.
+def advance_all(one, crowd, bipeds, w, plans, r, seed, effort, until, placed):
+    """One Round for every character whose committed curve ends before `until` [s]; placed (C,) counts the new footprints.
 
-    Neighbours who are due in the same tick take turns, as often as needed.
+    Neighbours who are due in the same tick take turns, as often as needed: all of a turn decide against what was published
+    before, then all publish, so the order of threads does not matter.
     """
     placed[:] = 0
+    address = lend((crowd, bipeds, w, plans, r, seed, effort))
     due = due_now(r, until, placed)
     if len(due) > 0:
         reservations.sort_into_cells(r)
     while len(due) > 0:
         turn = reservations.without_neighbours(r, due)
-        _take_turn(crowd, bipeds, w, plans, r, turn, seed, effort)
+        _advance_shares(one, address, turn)
+        publish_all(crowd, bipeds, r, turn)
         for c in turn:
             placed[c] += 1
         due = due_now(r, until, placed)
-
-
-@jit
-def perform(crowd, bipeds, w, c, script, samples, by_step, effort):
-    """Lets character c, which stands, do all of a planner.script.Script, and then stand; returns (E, iterations)."""
-    for k in range(len(script.side)):
-        n = crowd.real[c]
-        _write(crowd, bipeds, c, n, plan.scripted(bipeds[crowd.kind[c]], w, script, k, track_of(crowd, c, n)))
-        _own_timing(crowd, bipeds, c, n, script, k)
-        crowd.nominal_length[c, n] *= script.crouch[k]
-        crowd.facing[c, n] = script.facing[k]
-        crowd.real[c] = n + 1
-    n = crowd.real[c]
-    crowd.roll[c, n - 2 : n, 1] = 0.5
-    if script.support != ROLL:
-        crowd.roll[c, 2:n] = 0.5 if script.support == MIDDLE else 1.0
-    end = crowd.contact_time[c, n - 1] + script.rest
-    crowd.stance_time[c, n - 2 : n] = end + plan.STAND_TIME - crowd.contact_time[c, n - 2 : n]
-    for k in range(2, n):
-        _lay_way(crowd, bipeds, w, c, k)
-    finish = np.empty(6)
-    above_feet(bipeds[crowd.kind[c]], track_of(crowd, c, n), finish)
-    time, control, support, e, iterations = window.optimise_track(
-        bipeds[crowd.kind[c]], track_of(crowd, c, n), crowd.curve_time[c, 0], end, crowd.control[c, 0], finish, samples,
-        by_step, effort,
-    )  # fmt: skip
-    rows.commit(crowd, c, time, control, support, end)
-    return e, iterations
-
-
-@jit_borrowing
-def _own_timing(crowd, bipeds, c, n, script, k):
-    """Timing given by the script replaces the automatic one (NaN: none)."""
-    step, stance = crowd.step_time[c, n - 1], crowd.stance_time[c, n - 1]
-    if not np.isnan(script.stance_time[k]):
-        stance = script.stance_time[k]
-    elif not np.isnan(script.step_time[k]):
-        stance *= script.step_time[k] / step
-    if not np.isnan(script.step_time[k]):
-        step = script.step_time[k]
-    _time(crowd, bipeds[crowd.kind[c]], c, n, script.wait[k] > 0, step, stance)

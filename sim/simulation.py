@@ -46,7 +46,7 @@ class Simulation(Cast):
         else:
             self.ticks, self.crowd, self.plans = state
         self.reservations = empty_reservations(self.bipeds, self.crowd.kind, world.size)
-        rounds.publish_all(self.crowd, self.bipeds, self.reservations)
+        rounds.publish_all(self.crowd, self.bipeds, self.reservations, np.arange(len(self.characters)))
         if state is None:
             self._plan()
 
@@ -67,8 +67,8 @@ class Simulation(Cast):
     def _plan(self) -> None:
         until = self.time + 1e-9
         rounds.advance_all(
-            self.crowd, self.bipeds, self.world.arrays, self.plans, self.reservations, self.seed, until, self.effort,
-            self._placed,
+            rounds.parts(), self.crowd, self.bipeds, self.world.arrays, self.plans, self.reservations, self.seed, self.effort,
+            until, self._placed,
         )  # fmt: skip
         if self._placed.any():
             self.footprints.add(self.crowd, self._placed)

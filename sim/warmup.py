@@ -10,6 +10,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import llvmlite.binding
 import numba
@@ -23,12 +24,11 @@ from planner.reservations import empty_reservations
 from planner.script import Script
 from planner.wandering import Wander
 from sim import crowd as crowds
-from sim import rounds, rows
+from sim import performance, rounds
 from sim.cast import Cast
 from worlds import queries
 from worlds.world import World
 
-Step = tuple[str, list[tuple[Callable, tuple]]]
 ROOT = Path(__file__).resolve().parent.parent
 OURS, HELPERS = ("window solve", "tick of the crowd"), ("placing footprints", "poses", "standing", "ground")
 SCRIPTED, ROUTES = "whole tracks", "route search"
@@ -63,10 +63,10 @@ def _compile(names: tuple[str, ...], mine: tuple[str, ...], tell: Callable[[str]
     for name in mine:
         tell(f"compiling {names.index(name) + 1} of {len(names)}: {name} ...")
         for kernel, arguments in kernels[name]:
-            kernel.compile(tuple(numba.typeof(one) for one in arguments))  # type: ignore[attr-defined]
+            kernel.compile(tuple(numba.typeof(one) for one in arguments))
 
 
-def steps() -> dict[str, list[tuple[Callable, tuple]]]:
+def steps() -> dict[str, list[tuple[Any, tuple]]]:
     """Kernels by plain names, with arguments of the types that they are called with."""
     world = World("warm-up", (10.0, 10.0), start=(5.0, 5.0))
     cast = Cast(world, [load_biped("bird")], 0, 60)
@@ -77,13 +77,13 @@ def steps() -> dict[str, list[tuple[Callable, tuple]]]:
     place, many = (w, 0.0, 0.0), np.zeros(2)
     script = Script(one, np.zeros((2, 2)), many, many, many, many, many, many, 0, 0.0)
     return {
-        "window solve": [(rounds.optimise_step, (crowd, bipeds, 0, newton.LIVE))],
-        "tick of the crowd": [(rounds.advance_all, (crowd, bipeds, w, plans, r, 0, 0.0, newton.LIVE, one))],
-        "placing footprints": [(rounds._place, (crowd, bipeds, w, plans, r, 0, 0)), (rows.shift, (crowd, 0))],
+        "window solve": [(rounds.optimise_step, ())],
+        "placing footprints": [(rounds.plan_step, ())],
+        "tick of the crowd": [(rounds.advance_all, (rounds.Round(0, 0), crowd, bipeds, w, plans, r, 0, newton.LIVE, 0.0, one))],
         "poses": [(crowds.pose_all, (crowd, bipeds, 0.0, one, empty_pose(1))), (crowds.com_all, (crowd, 0.0, matrix))],
         "standing": [
             (crowds.stand, (crowd, bipeds, 0, 0.0, 0, matrix, np.zeros(2), matrix, one)),
-            (rounds.publish_all, (crowd, bipeds, r)),
+            (rounds.publish_all, (crowd, bipeds, r, one)),
         ],
         "ground": [
             (placing.lay_sole, (b, w, 0.0, 0.0, 0.0, 0)),
@@ -92,7 +92,7 @@ def steps() -> dict[str, list[tuple[Callable, tuple]]]:
             *((kernel, place) for kernel in (queries.clearance, queries.terrain_height, queries.in_water)),
         ],
         ROUTES: [(search.find, (b, matrix, one, matrix, 0, 0))],
-        SCRIPTED: [(rounds.perform, (crowd, bipeds, w, 0, script, 0, False, newton.SCENE))],
+        SCRIPTED: [(performance.perform, (crowd, bipeds, w, 0, script, 0, False, newton.SCENE))],
     }
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from motion.biped import load_biped
 from motion.jit import jit
+from motion.parts import call
 from motion.pose import empty_pose
 from planner import reservations
 from planner.wandering import Wander
@@ -84,12 +85,13 @@ def _parts(sim: Simulation, pose_seconds: float) -> dict:
     crowd = crowds.Crowd(*(array.copy() for array in sim.crowd))
     rows = np.sort(np.argsort(sim.reservations.due, kind="stable")[:SAMPLE])
     reservations.sort_into_cells(sim.reservations)
-    _plan_rows(crowd, sim.bipeds, sim.world.arrays, sim.plans, sim.reservations, rows[:0], sim.seed)
-    _optimise_rows(crowd, sim.bipeds, rows[:0], sim.effort)
+    held = crowd, sim.bipeds, sim.world.arrays, sim.plans, sim.reservations, sim.seed, sim.effort
+    one = rounds.parts()
+    _of_rows(one.plan, held, rows[:0])
     begin = perf_counter()
-    _plan_rows(crowd, sim.bipeds, sim.world.arrays, sim.plans, sim.reservations, rows, sim.seed)
+    _of_rows(one.plan, held, rows)
     planned = perf_counter()
-    _optimise_rows(crowd, sim.bipeds, rows, sim.effort)
+    _of_rows(one.optimise, held, rows)
     solved = perf_counter()
     return {
         "planning_us_per_step": 1e6 * (planned - begin) / len(rows),
@@ -99,15 +101,10 @@ def _parts(sim: Simulation, pose_seconds: float) -> dict:
 
 
 @jit
-def _plan_rows(crowd, bipeds, w, plans, r, rows, seed):
+def _of_rows(part, held, rows):
+    address = rounds.lend(held)
     for c in rows:
-        rounds.plan_step(crowd, bipeds, w, plans, r, c, seed)
-
-
-@jit
-def _optimise_rows(crowd, bipeds, rows, effort):
-    for c in rows:
-        rounds.optimise_step(crowd, bipeds, c, effort)
+        call(part, address, c)
 
 
 def _bytes(sim: Simulation) -> int:
