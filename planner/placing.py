@@ -81,11 +81,14 @@ def _runs(b, track, n, m):
 
 
 @jit_borrowing
-def _is_level(w, p, q):
-    """Whether the ground between two places is flat, without a rock: a cell lists all rocks within REACH of it."""
+def is_level(b, w, track, n, m):
+    """Whether the ground below the swing from footprint n to m is flat, without a rock: a cell lists all within REACH of it."""
+    p, q = track.position[n], track.position[m]
     cell = queries.cell_of(w, p[0], p[1])
-    near = abs(q[0] - p[0]) + abs(q[1] - p[1]) < 0.5 * REACH
-    return w.terrain_kind == FLAT and near and w.rock_start[cell] == w.rock_start[cell + 1]
+    if w.terrain_kind != FLAT or w.rock_start[cell] != w.rock_start[cell + 1]:
+        return False
+    bow = swing.outward(b, track, n, m, (p[0], p[1], p[2]), (q[0], q[1], q[2]))
+    return max(abs(q[0] - p[0]), abs(q[1] - p[1])) + abs(bow[0]) + abs(bow[1]) + b.foot_length < REACH
 
 
 @jit_borrowing
@@ -94,7 +97,7 @@ def _lift(b, w, track, n, m):
     lift = b.clearance
     back, ahead = -0.5 * b.foot_length - b.ball_forward, 0.5 * b.foot_length - b.ball_forward
     track.lift[m] = 0.0
-    samples = LEVEL_SAMPLES if _is_level(w, track.position[n], track.position[m]) else SAMPLES
+    samples = LEVEL_SAMPLES if is_level(b, w, track, n, m) else SAMPLES
     for k in range(1, samples):
         s = k / samples
         ball, heading, normal, pitch, flex = swing.sole_at(b, track, n, m, s)

@@ -1,0 +1,63 @@
+"""The lift of a swing against a slow twin that looks at many more moments of it."""
+
+import numpy as np
+import pytest
+
+from motion import swing
+from motion.biped import load_biped
+from planner import placing
+from tests.motion.test_pose import straight_walk
+from worlds import queries
+from worlds.world import World
+
+STEP = 0.5
+"""The walks' steps [m], in the middle of a world where rocks can be put."""
+FLAT = World("flat", (30.0, 10.0))
+
+
+def rocky(at: float) -> World:
+    return World("rocky", (30.0, 10.0), rocks=np.array([[at, 5.0, 0.1, 0.05]]))
+
+
+def walk(character: str, rng):
+    """Footprints with chance places and headings, right after left."""
+    b = load_biped(character).record
+    track = straight_walk(b, 6)
+    shift = np.array([10.0, 5.0, 0.0])
+    position = track.position + shift + np.column_stack([rng.normal(0, 0.08, (6, 2)), np.zeros(6)])
+    return b, track._replace(position=position, heading=track.heading + rng.normal(0, 0.2, 6))
+
+
+def needed_lift(b, w, track, n, m, moments=800):
+    """Lift with which heel, ball and toe keep b.clearance times the bump above the ground at every moment."""
+    track.lift[m], lift = 0.0, b.clearance
+    back, ahead = -0.5 * b.foot_length - b.ball_forward, 0.5 * b.foot_length - b.ball_forward
+    for k in range(1, moments):
+        ball, heading, normal, pitch, flex = swing.sole_at(b, track, n, m, k / moments)
+        rise = 16 * (k / moments) ** 2 * (1 - k / moments) ** 2
+        for forward, bend in ((back, pitch), (0.0, 0.0), (ahead, pitch - flex)):
+            x, y, z = swing.point_of_foot(b, ball, heading, normal, forward, 0.0, bend)
+            lack = queries.ground_height(w, x, y) + b.clearance * rise - z
+            lift = max(lift, min(lack / rise, 3 * b.max_rise))
+    return lift
+
+
+@pytest.mark.parametrize("character", ["bird", "human", "dinosaur"])
+def test_lift_on_level_ground_is_the_twin_s(character):
+    rng = np.random.default_rng(1)
+    for _ in range(20):
+        b, track = walk(character, rng)
+        for m in range(2, 6):
+            assert placing.is_level(b, FLAT.arrays, track, m - 2, m)
+            placing.lay_swing(b, FLAT.arrays, track, m - 2, m)
+            assert track.lift[m] == pytest.approx(needed_lift(b, FLAT.arrays, track, m - 2, m), abs=1e-3)
+
+
+def test_ground_with_a_rock_in_the_way_is_not_level():
+    b, track = walk("human", np.random.default_rng(2))
+    for away in np.arange(-3.0, 4.0, 0.25):
+        middle = 0.5 * (track.position[2] + track.position[4])
+        w = rocky(middle[0] + away).arrays
+        if abs(away) < np.ptp(track.position[[2, 4], 0]) / 2 + 0.3:
+            assert not placing.is_level(b, w, track, 2, 4)
+    assert placing.is_level(b, rocky(28.0).arrays, track, 2, 4)
