@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.jit import jit
+from motion.jit import jit, jit_borrowing
 from planner import timing
 
 FEET = 3
@@ -67,13 +67,13 @@ def empty_reservations(bipeds: np.recarray, kind: np.ndarray, size: tuple[float,
     )
 
 
-@jit
+@jit_borrowing
 def lag(b):
     """How much later than a foot lands the body comes to the middle of the two [s]."""
     return LAG * timing.pendulum_time(b)
 
 
-@jit
+@jit_borrowing
 def sort_into_cells(r):
     """Puts every character into the cell in which it rests; ones outside the world go to the nearest cell."""
     rows = (len(r.start) - 1) // r.columns
@@ -93,7 +93,7 @@ def sort_into_cells(r):
     r.start[-1] = len(r.cell)
 
 
-@jit
+@jit_borrowing
 def neighbours(r, c, reach, near):
     """Fills `near` with the characters that rest within `reach` [m] of where c does; returns how many, -1: too many."""
     rows, count = (len(r.start) - 1) // r.columns, 0
@@ -112,7 +112,7 @@ def neighbours(r, c, reach, near):
     return count
 
 
-@jit
+@jit_borrowing
 def foot_is_free(r, j, x, y, radius, time):
     """Whether a sole's disc at x, y, set down at `time` for good, keeps off what j's feet hold."""
     apart = radius + r.foot_radius[j]
@@ -123,7 +123,7 @@ def foot_is_free(r, j, x, y, radius, time):
     return True
 
 
-@jit
+@jit_borrowing
 def place_on_way(r, j, time, last):
     """(x, y) of j's middle at a time, resting at point `last` of its way from then on."""
     k = 0
@@ -139,7 +139,7 @@ def place_on_way(r, j, time, last):
     )
 
 
-@jit
+@jit_borrowing
 def _nearest(px, py, qx, qy):
     """Distance of the origin from the line between two points."""
     dx, dy = qx - px, qy - py
@@ -148,7 +148,7 @@ def _nearest(px, py, qx, qy):
     return hypot(px + s * dx, py + s * dy)
 
 
-@jit
+@jit_borrowing
 def least_distance(r, j, x0, y0, t0, x1, y1, t1):
     """Least distance of a body from j's, from t0 on: it goes straight from x0, y0 at t0 to x1, y1 at t1 and rests there."""
     rest, least, t = COMMITTED - 1, inf, t0
@@ -173,28 +173,20 @@ def without_neighbours(r, due):
 
     They plan at once without seeing each other, so they must be too far apart to come into each other's way.
     """
-    waiting = np.zeros(len(r.due), np.bool_)
+    waiting, near = np.zeros(len(r.due), np.bool_), np.empty(len(r.due), np.int64)
     for c in due:
         waiting[c] = True
     count, chosen = 0, np.empty_like(due)
     for c in due:
-        if _comes_first(r, c, waiting):
+        if _comes_first(r, c, waiting, near[: neighbours(r, c, r.reach, near)]):
             chosen[count] = c
             count += 1
     return chosen[:count]
 
 
-@jit
-def _comes_first(r, c, waiting):
-    rows = (len(r.start) - 1) // r.columns
-    x, y = r.way[c, COMMITTED - 1, 0], r.way[c, COMMITTED - 1, 1]
-    row, column = r.cell[c] // r.columns, r.cell[c] % r.columns
-    for i in range(max(row - 1, 0), min(row + 2, rows)):
-        first, last = i * r.columns + max(column - 1, 0), i * r.columns + min(column + 1, r.columns - 1)
-        for k in range(r.start[first], r.start[last + 1]):
-            j = r.order[k]
-            if waiting[j] and (r.due[j] < r.due[c] or (r.due[j] == r.due[c] and j < c)):
-                dx, dy = r.way[j, COMMITTED - 1, 0] - x, r.way[j, COMMITTED - 1, 1] - y
-                if dx * dx + dy * dy < r.reach * r.reach:
-                    return False
-    return True
+@jit_borrowing
+def _comes_first(r, c, waiting, near):
+    first = True
+    for j in near:
+        first &= not (waiting[j] and (r.due[j] < r.due[c] or (r.due[j] == r.due[c] and j < c)))
+    return first
