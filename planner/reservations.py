@@ -35,6 +35,7 @@ class Reservations(NamedTuple):
     foot: np.ndarray  # (C, FEET, 3) x, y, until when the disc is held
     way: np.ndarray  # (C, COMMITTED + TENTATIVE, 3) x, y of the body's middle, when it is there
     aim: np.ndarray  # (C, 2) the next step it would take if nobody were there [m]
+    claim: np.ndarray  # (C, 3) ... if nobody of lower rank were there [m], and its rank (planner.right_of_way)
     foot_radius: np.ndarray  # (C,) half the sole's diagonal
     room: np.ndarray  # (C,) the body's radius, and how far the com strays from its way [m]
     reach: float  # how far one looks for others, at most the edge of a cell
@@ -56,6 +57,7 @@ def empty_reservations(bipeds: np.recarray, kind: np.ndarray, size: tuple[float,
         foot=np.zeros((c, FEET, 3)),
         way=np.zeros((c, COMMITTED + TENTATIVE, 3)),
         aim=np.zeros((c, 2)),
+        claim=np.zeros((c, 3)),
         foot_radius=0.5 * np.hypot(bipeds["foot_length"], bipeds["foot_width"])[kind],
         room=(bipeds["body_radius"] + STRAY * bipeds["step_width"])[kind],
         reach=reach,

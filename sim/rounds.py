@@ -111,7 +111,7 @@ def _make_way(crowd, b, w, r, c, seed, n, wish):
     overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
     placed, crowd.hindered[c] = avoiding.make_way(
         b, w, r, c, wish, crowd.side[c, two], crowd.position[c, two], crowd.heading[c, two], crowd.normal[c, two],
-        crowd.rock[c, two], crowd.contact_time[c, n - 1], overlap, crowd.hindered[c], seed, crowd.number[c],
+        crowd.rock[c, two], crowd.contact_time[c, n - 1], overlap, crowd.hindered[c], seed, crowd.number[c], crowd.claim[c],
     )  # fmt: skip
     return placed
 
@@ -204,6 +204,8 @@ def publish(crowd, bipeds, r, c):
     n = crowd.real[c]
     r.due[c] = horizon(crowd, c)
     r.aim[c, 0], r.aim[c, 1] = crowd.aim[c, 0], crowd.aim[c, 1]
+    for k in range(3):
+        r.claim[c, k] = crowd.claim[c, k]
     late = reservations.lag(bipeds[crowd.kind[c]])
     for k in range(reservations.FEET):
         row = max(n - reservations.FEET + k, 0)

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from motion.biped import load_biped
-from planner.avoiding import wrong_side
 from planner.walking import WalkTo
+from planner.way_around import wrong_side
 from sim.simulation import Simulation
 from worlds.world import World
 
