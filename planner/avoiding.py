@@ -83,7 +83,9 @@ def _costs(b, w, r, me, wish, others, seed, step_number, cost):
         if k == CANDIDATES:
             vx, vy = 0.0, 0.0
         cost[k] = (
-            hypot(vx - wx, vy - wy) / me.full + TURN * abs(step.heading - facing) + LEFT * max(step.heading - me.heading, 0.0)
+            hypot(vx - wx, vy - wy) / me.full
+            + TURN * abs(step.heading - facing)
+            + LEFT * max(step.heading - max(me.heading, wish.heading), 0.0)
         )
         cost[k] += danger(others, vx, vy)
         cost[k] += IMPATIENCE * impatience * max(1 - hypot(vx, vy) * step.time / (SMALL * b.preferred_step), 0.0)
@@ -98,7 +100,8 @@ def _costs(b, w, r, me, wish, others, seed, step_number, cost):
 def _claim(b, w, r, me, wish, rank, others, scratch, seed, step_number, claim):
     """Sets claim (3,): the wish, or the step out of the way of a higher claim; and with which rank."""
     higher, cost = scratch
-    claim[0], claim[1], claim[2] = wish.x - me.x, wish.y - me.y, inherited(others, rank)
+    length = hypot(wish.x - me.x, wish.y - me.y)
+    claim[0], claim[1], claim[2] = length * cos(wish.heading), length * sin(wish.heading), inherited(others, rank)
     if claim[2] > rank:
         count = of_higher_rank(others, higher)
         _costs(b, w, r, me, wish, higher[:count], seed, step_number, cost)
@@ -112,7 +115,7 @@ def _claim(b, w, r, me, wish, rank, others, scratch, seed, step_number, claim):
 def choose(b, w, r, me, wish, near, scratch, seed, step_number, claim):
     """The best candidate that is free; 0 is the wish, CANDIDATES is standing. Whoever cannot have its wish sets its claim."""
     others, higher, cost = scratch
-    rank = rank_of(r, me, near, atan2(wish.y - me.y, wish.x - me.x))
+    rank = rank_of(r, me, near, wish.heading)
     foresee(r, me, near, rank, others)
     if danger(others, (wish.x - me.x) / wish.time, (wish.y - me.y) / wish.time) == 0 and is_free(w, r, me, near, wish):
         return 0

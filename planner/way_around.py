@@ -4,7 +4,7 @@ It is the heading that comes nearest to a place LOOK ahead on the wished way whe
 Helbing & Theraulaz 2011), and that has on its left those who come the other way: so streams part into lanes before they meet.
 """
 
-from math import atan2, cos, inf, pi, sin
+from math import cos, inf, pi, sin
 
 from motion.jit import jit_borrowing
 from planner.foresight import soonest
@@ -33,7 +33,7 @@ def wrong_side(others, wished, way, sight):
 @jit_borrowing
 def way_around(b, w, r, me, wish, others):
     """The best direction of travel: where it is free far, and near the wished one."""
-    wished = atan2(wish.y - me.y, wish.x - me.x)
+    wished = wish.heading
     look = LOOK * b.preferred_step
     best, least = wished, inf
     for k in range(-FAN, FAN + 1):

@@ -4,6 +4,8 @@ Live: footprint n is placed and timed, tentative footprints behind it, step n - 
 Scripted: all footprints are placed and timed, and the whole curve is optimised at once.
 """
 
+from math import cos, hypot, sin
+
 import numpy as np
 from numba import prange
 
@@ -106,7 +108,8 @@ def _make_way(crowd, b, w, r, c, seed, n, wish):
     last = crowd.position[c, n - 1]
     x, y = plan.middle_of(b, crowd.side[c, n - 1], last[0], last[1], crowd.heading[c, n - 1])
     to_x, to_y = plan.middle_of(b, wish.side, wish.x, wish.y, wish.heading)
-    crowd.aim[c, 0], crowd.aim[c, 1] = (0.0, 0.0) if wish.stands else (to_x - x, to_y - y)
+    length = 0.0 if wish.stands else hypot(to_x - x, to_y - y)
+    crowd.aim[c, 0], crowd.aim[c, 1] = length * cos(wish.heading), length * sin(wish.heading)
     two = slice(n - 2, n)
     overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
     placed, crowd.hindered[c] = avoiding.make_way(
