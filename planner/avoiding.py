@@ -150,15 +150,20 @@ def make_way(
         scratch = np.empty((count, OTHER)), np.empty((count, OTHER)), np.empty(CANDIDATES + 1)
         k = choose(b, w, r, me, wish, near[:count], scratch, seed, step_number, claim)
     if k == 0:
-        return wished, max(hindered - 1, 0)
+        return wished, _hindered(b, me, wish, wish)
     if k == CANDIDATES:
         return plan.stay(side[0], position[0], heading[0], normal[0], rock[0], YIELD_TIME), hindered + 1
     step = candidate(b, me, wish, k)
-    hindered = max(hindered - 1, 0) if _gets_on(me, wish, step) else hindered + 1
-    return plan.put(b, w, me.side, step.foot_x, step.foot_y, step.heading), hindered
+    return plan.put(b, w, me.side, step.foot_x, step.foot_y, step.heading), _hindered(b, me, wish, step)
 
 
 @jit_borrowing
-def _gets_on(me, wish, step):
-    along = (step.x - me.x) * (wish.x - me.x) + (step.y - me.y) * (wish.y - me.y)
-    return along > GETS_ON * ((wish.x - me.x) ** 2 + (wish.y - me.y) ** 2)
+def _hindered(b, me, wish, step):
+    """Steps that did not get on, after this one: back and forth does not get on, nor does a turn on the spot."""
+    wished = hypot(wish.x - me.x, wish.y - me.y)
+    along = (step.x - me.x) * cos(wish.heading) + (step.y - me.y) * sin(wish.heading)
+    if along > GETS_ON * max(wished, SMALL * b.preferred_step):
+        return max(me.hindered - 1, 0)
+    if step == wish:
+        return me.hindered
+    return me.hindered + (1 if along >= 0 else 2)

@@ -22,7 +22,7 @@ COMMITTED, TENTATIVE = 3, 3
 """Points of a way: up to the rest, and beyond it."""
 LAG = 0.36
 """How much later than a foot lands the body comes to the middle between the feet, in pendulum times: as measured."""
-STRAY = 0.58
+STRAY = 0.66
 """How far the com strays from its way, in step widths: more keeps bodies apart in a throng, less lets them through a gap."""
 STRIDES = 6.0
 """How far one looks for others, in preferred steps beyond two bodies' radii."""
