@@ -22,6 +22,8 @@ START_OVERLAP = 0.6
 """Shift of weight before the first step from standing, in pendulum times sqrt(h / g)."""
 THERE, CONTENT = 0.5, 0.25
 """A walker is at its last stop within this share of its preferred step, and more for every step that others hindered."""
+PATIENT = 8
+"""Up to so many steps that others hindered make one more impatient, and more content."""
 
 
 class Plans(NamedTuple):
@@ -116,7 +118,7 @@ def is_there(b, plans, c, reached, hindered, x, y):
     """Whether character c, whose middle is at x, y, has come to the stop that it walks to."""
     stop = stop_of(plans, c, reached)
     last = not plans.again[c] and reached >= plans.stops.shape[1] - 1
-    near = (THERE + CONTENT * hindered) * b.preferred_step if last else plans.near[c]
+    near = (THERE + CONTENT * min(hindered, PATIENT)) * b.preferred_step if last else plans.near[c]
     return hypot(plans.stops[c, stop, 0] - x, plans.stops[c, stop, 1] - y) < near
 
 

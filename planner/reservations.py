@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.jit import jit
+from motion.jit import jit, jit_borrowing
 from planner import timing
 
 FEET = 3
@@ -22,7 +22,7 @@ COMMITTED, TENTATIVE = 3, 3
 """Points of a way: up to the rest, and beyond it."""
 LAG = 0.36
 """How much later than a foot lands the body comes to the middle between the feet, in pendulum times: as measured."""
-STRAY = 0.58
+STRAY = 0.66
 """How far the com strays from its way, in step widths: more keeps bodies apart in a throng, less lets them through a gap."""
 STRIDES = 6.0
 """How far one looks for others, in preferred steps beyond two bodies' radii."""
@@ -35,6 +35,7 @@ class Reservations(NamedTuple):
     foot: np.ndarray  # (C, FEET, 3) x, y, until when the disc is held
     way: np.ndarray  # (C, COMMITTED + TENTATIVE, 3) x, y of the body's middle, when it is there
     aim: np.ndarray  # (C, 2) the next step it would take if nobody were there [m]
+    claim: np.ndarray  # (C, 3) ... if nobody of lower rank were there [m], and its rank (planner.right_of_way)
     foot_radius: np.ndarray  # (C,) half the sole's diagonal
     room: np.ndarray  # (C,) the body's radius, and how far the com strays from its way [m]
     reach: float  # how far one looks for others, at most the edge of a cell
@@ -56,6 +57,7 @@ def empty_reservations(bipeds: np.recarray, kind: np.ndarray, size: tuple[float,
         foot=np.zeros((c, FEET, 3)),
         way=np.zeros((c, COMMITTED + TENTATIVE, 3)),
         aim=np.zeros((c, 2)),
+        claim=np.zeros((c, 3)),
         foot_radius=0.5 * np.hypot(bipeds["foot_length"], bipeds["foot_width"])[kind],
         room=(bipeds["body_radius"] + STRAY * bipeds["step_width"])[kind],
         reach=reach,
@@ -67,13 +69,13 @@ def empty_reservations(bipeds: np.recarray, kind: np.ndarray, size: tuple[float,
     )
 
 
-@jit
+@jit_borrowing
 def lag(b):
     """How much later than a foot lands the body comes to the middle of the two [s]."""
     return LAG * timing.pendulum_time(b)
 
 
-@jit
+@jit_borrowing
 def sort_into_cells(r):
     """Puts every character into the cell in which it rests; ones outside the world go to the nearest cell."""
     rows = (len(r.start) - 1) // r.columns
@@ -93,7 +95,7 @@ def sort_into_cells(r):
     r.start[-1] = len(r.cell)
 
 
-@jit
+@jit_borrowing
 def neighbours(r, c, reach, near):
     """Fills `near` with the characters that rest within `reach` [m] of where c does; returns how many, -1: too many."""
     rows, count = (len(r.start) - 1) // r.columns, 0
@@ -112,7 +114,7 @@ def neighbours(r, c, reach, near):
     return count
 
 
-@jit
+@jit_borrowing
 def foot_is_free(r, j, x, y, radius, time):
     """Whether a sole's disc at x, y, set down at `time` for good, keeps off what j's feet hold."""
     apart = radius + r.foot_radius[j]
@@ -123,7 +125,7 @@ def foot_is_free(r, j, x, y, radius, time):
     return True
 
 
-@jit
+@jit_borrowing
 def place_on_way(r, j, time, last):
     """(x, y) of j's middle at a time, resting at point `last` of its way from then on."""
     k = 0
@@ -139,7 +141,7 @@ def place_on_way(r, j, time, last):
     )
 
 
-@jit
+@jit_borrowing
 def _nearest(px, py, qx, qy):
     """Distance of the origin from the line between two points."""
     dx, dy = qx - px, qy - py
@@ -148,7 +150,7 @@ def _nearest(px, py, qx, qy):
     return hypot(px + s * dx, py + s * dy)
 
 
-@jit
+@jit_borrowing
 def least_distance(r, j, x0, y0, t0, x1, y1, t1):
     """Least distance of a body from j's, from t0 on: it goes straight from x0, y0 at t0 to x1, y1 at t1 and rests there."""
     rest, least, t = COMMITTED - 1, inf, t0
@@ -173,28 +175,20 @@ def without_neighbours(r, due):
 
     They plan at once without seeing each other, so they must be too far apart to come into each other's way.
     """
-    waiting = np.zeros(len(r.due), np.bool_)
+    waiting, near = np.zeros(len(r.due), np.bool_), np.empty(len(r.due), np.int64)
     for c in due:
         waiting[c] = True
     count, chosen = 0, np.empty_like(due)
     for c in due:
-        if _comes_first(r, c, waiting):
+        if _comes_first(r, c, waiting, near[: neighbours(r, c, r.reach, near)]):
             chosen[count] = c
             count += 1
     return chosen[:count]
 
 
-@jit
-def _comes_first(r, c, waiting):
-    rows = (len(r.start) - 1) // r.columns
-    x, y = r.way[c, COMMITTED - 1, 0], r.way[c, COMMITTED - 1, 1]
-    row, column = r.cell[c] // r.columns, r.cell[c] % r.columns
-    for i in range(max(row - 1, 0), min(row + 2, rows)):
-        first, last = i * r.columns + max(column - 1, 0), i * r.columns + min(column + 1, r.columns - 1)
-        for k in range(r.start[first], r.start[last + 1]):
-            j = r.order[k]
-            if waiting[j] and (r.due[j] < r.due[c] or (r.due[j] == r.due[c] and j < c)):
-                dx, dy = r.way[j, COMMITTED - 1, 0] - x, r.way[j, COMMITTED - 1, 1] - y
-                if dx * dx + dy * dy < r.reach * r.reach:
-                    return False
-    return True
+@jit_borrowing
+def _comes_first(r, c, waiting, near):
+    first = True
+    for j in near:
+        first &= not (waiting[j] and (r.due[j] < r.due[c] or (r.due[j] == r.due[c] and j < c)))
+    return first

@@ -39,6 +39,7 @@ class Crowd(NamedTuple):
     reached: np.ndarray  # (C,) how many of its stops a walker has reached
     hindered: np.ndarray  # (C,) steps that others kept from getting on
     aim: np.ndarray  # (C, 2) the next step it would take if nobody were there [m]
+    claim: np.ndarray  # (C, 3) ... if nobody of lower rank were there [m], and its rank (planner.right_of_way)
     side: np.ndarray
     position: np.ndarray
     heading: np.ndarray
@@ -77,6 +78,7 @@ def empty_crowd(kind: np.ndarray, rows: int = _ROWS, segments: int = CURVE) -> C
         reached=np.zeros(c, np.int64),
         hindered=np.zeros(c, np.int64),
         aim=np.zeros((c, 2)),
+        claim=np.zeros((c, 3)),
         side=np.zeros((c, rows), np.int64),
         position=np.zeros((c, rows, 3)),
         heading=np.zeros((c, rows)),

@@ -2,6 +2,7 @@
 optimised in its window and committed. All who are due in a tick decide, then all show what they have decided.
 """
 
+from math import cos, hypot, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -49,12 +50,13 @@ def _make_way(crowd, b, w, r, c, seed, n, wish):
     last = crowd.position[c, n - 1]
     x, y = plan.middle_of(b, crowd.side[c, n - 1], last[0], last[1], crowd.heading[c, n - 1])
     to_x, to_y = plan.middle_of(b, wish.side, wish.x, wish.y, wish.heading)
-    crowd.aim[c, 0], crowd.aim[c, 1] = (0.0, 0.0) if wish.stands else (to_x - x, to_y - y)
+    length = 0.0 if wish.stands else hypot(to_x - x, to_y - y)
+    crowd.aim[c, 0], crowd.aim[c, 1] = length * cos(wish.heading), length * sin(wish.heading)
     two = slice(n - 2, n)
     overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
     placed, crowd.hindered[c] = avoiding.make_way(
         b, w, r, c, wish, crowd.side[c, two], crowd.position[c, two], crowd.heading[c, two], crowd.normal[c, two],
-        crowd.rock[c, two], crowd.contact_time[c, n - 1], overlap, crowd.hindered[c], seed, crowd.number[c],
+        crowd.rock[c, two], crowd.contact_time[c, n - 1], overlap, crowd.hindered[c], seed, crowd.number[c], crowd.claim[c],
     )  # fmt: skip
     return placed
 
@@ -149,6 +151,8 @@ def publish(crowd, bipeds, r, c):
     n = crowd.real[c]
     r.due[c] = horizon(crowd, c)
     r.aim[c, 0], r.aim[c, 1] = crowd.aim[c, 0], crowd.aim[c, 1]
+    for k in range(3):
+        r.claim[c, k] = crowd.claim[c, k]
     late = reservations.lag(bipeds[crowd.kind[c]])
     for k in range(reservations.FEET):
         row = max(n - reservations.FEET + k, 0)

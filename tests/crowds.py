@@ -40,7 +40,7 @@ def streams(count: int, character: str = "bird", gap: float = 3.0, seed: int = 1
     end = np.concatenate([np.stack([beyond, apart], 1), np.stack([-beyond, apart], 1)])
     begin[:, :2] += size[0] / 2, middle
     lane = np.clip(aside, 2 * b.body_radius - gap / 2, gap / 2 - 2 * b.body_radius)
-    past = 0.3 * gap  # a stop just behind the gap: whoever is shoved aside would walk at the wall
+    past = 0.3 * gap + 0.5  # a stop just behind the gap: whoever is shoved aside, or back, would walk at the wall
     gate = np.concatenate([np.stack([0 * lane + past, lane], 1), np.stack([0 * lane - past, lane], 1)])
     stops = np.stack([gate, end], axis=1) + (size[0] / 2, middle)
     world = World("gap", size, trees=np.array(trunks))

@@ -4,8 +4,12 @@ import numpy as np
 import pytest
 
 from motion.biped import load_biped
-from planner.avoiding import wrong_side
+from planner.candidates import Walker
+from planner.foresight import EAGER, OTHER, foresee
+from planner.reservations import empty_reservations
+from planner.right_of_way import BELONGS, inherited, rank_of
 from planner.walking import WalkTo
+from planner.way_around import wrong_side
 from sim.simulation import Simulation
 from worlds.world import World
 
@@ -60,3 +64,44 @@ def test_who_goes_the_same_way_may_be_on_either_side():
     same = oncoming(2.0, -0.2)
     same[0, 5] = 1.0
     assert wrong_side(same, 0.0, 0.0, 4.0) == 0
+
+
+def waiting(hindered):
+    """One who stands at 5, 5 and wishes to go toward +x at 1 m/s."""
+    return Walker(0, 0, 5.0, 4.9, 5.0, 5.0, 0.0, 5.0, 5.0, 0.0, 0.0, 0.0, 0.3, 1.0, hindered)
+
+
+def facing(x, y, claim=(0.0, 0.0, 0.0)):
+    """Reservations of that one, and of another who stands at x, y, wishes to go toward -x, and claims a step."""
+    r = empty_reservations(np.rec.array(BIRD.record.reshape(1)), np.zeros(2, np.int64), (12.0, 12.0))
+    r.way[0, :, :2], r.way[1, :, :2] = (5, 5), (x, y)
+    r.aim[1], r.claim[1] = (-0.4, 0.0), claim
+    return r
+
+
+def foreseen(r, rank):
+    others = np.zeros((1, OTHER))
+    foresee(r, waiting(0), np.array([1]), rank, others)
+    return others
+
+
+def test_who_has_waited_and_has_the_oncoming_on_its_left_ranks_higher():
+    near = np.array([1])
+    left, right = (rank_of(facing(5.0, 5 + y), waiting(3), near, 0.0) for y in (1.0, -1.0))
+    assert left == pytest.approx(3 + BELONGS) and right == pytest.approx(3 - BELONGS)
+    assert rank_of(facing(5.0, 6.0), waiting(3), near, np.pi) == 3, "who goes the same way may be anywhere"
+    assert rank_of(facing(6.0, 5.0), waiting(9), near, 0.0) > rank_of(facing(6.0, 5.0), waiting(3), near, 0.0)
+
+
+def test_only_a_claim_of_higher_rank_is_expected_to_come_at_full_speed():
+    claims = facing(5.6, 5.0, (-0.2, 0.2, 6.0))
+    yielding, insisting = foreseen(claims, 5.0)[0], foreseen(claims, 7.0)[0]
+    np.testing.assert_allclose(yielding[2:4], (-np.sqrt(0.5), np.sqrt(0.5)), atol=1e-12)
+    np.testing.assert_allclose(insisting[2:4], (-EAGER, 0.0), atol=1e-12)
+
+
+def test_who_is_in_the_way_of_a_claim_inherits_its_rank():
+    assert inherited(foreseen(facing(5.6, 5.0, (-0.2, 0.0, 6.0)), 2.0), 2.0) == 5
+    assert inherited(foreseen(facing(5.6, 5.0, (0.2, 0.0, 6.0)), 2.0), 2.0) == 2, "it goes away"
+    assert inherited(foreseen(facing(7.5, 5.0, (-0.2, 0.0, 6.0)), 2.0), 2.0) == 2, "it is far"
+    assert inherited(foreseen(facing(5.6, 5.0, (-0.2, 0.0, 6.0)), 7.0), 7.0) == 7, "it ranks lower"

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from motion.biped import load_biped
 from planner import reservations
-from planner.avoiding import time_to_collision
+from planner.foresight import time_to_collision
 from planner.reservations import COMMITTED, FEET, TENTATIVE
 
 BIPEDS = np.rec.array(np.concatenate([load_biped(name).record.reshape(1) for name in ("bird", "human")]))

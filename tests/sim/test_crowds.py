@@ -25,8 +25,9 @@ def test_a_ring_swaps_sides():
     assert_well(Watch(ring(12, 3.0)).run(60), 10)
 
 
-def test_streams_pass_a_gap():
-    assert_well(Watch(streams(8)).run(90), 10)
+@pytest.mark.parametrize("character", ["bird", "human"])
+def test_streams_pass_a_gap(character):
+    assert_well(Watch(streams(8, character)).run(90), 10)
 
 
 def test_wanderers_share_a_crowded_forest():

@@ -1,0 +1,78 @@
+"""What others will do, as far as one can tell from what they have published, and when one would run into them."""
+
+from math import hypot, inf, sqrt
+
+from motion.jit import jit_borrowing
+from planner import reservations
+from planner.plan import PATIENT
+from planner.reservations import COMMITTED, TENTATIVE
+
+FORESIGHT = 2.0
+"""Collisions later than this [s] do not matter."""
+CAUTION = 1.0
+"""Weight of an early collision [s]: more swerves earlier and wider."""
+SPACE = 1.08
+"""Distance wanted between bodies, in what is kept; the impatient come nearer, down to that."""
+EAGER = 0.3
+"""Who stands for others is expected to go where it wishes at this share of the full speed, as soon as it can: one queues behind
+those of the same way, and turns aside for those who come."""
+LEAST_TIME = 0.1
+"""Collisions sooner than this [s] cost no more, and velocities are not told from less."""
+OTHER = 8
+"""Numbers foreseen of another: x, y, velocity, room to keep, wished direction, and the rank of its claim (-inf: no more than
+one's own)."""
+
+
+@jit_borrowing
+def time_to_collision(px, py, vx, vy, apart):
+    """When someone at p who moves at v comes within `apart` of the origin [s]: inf never, 0 there and coming nearer."""
+    b, c = px * vx + py * vy, px * px + py * py - apart * apart
+    if b >= 0:
+        return inf
+    if c <= 0:
+        return 0.0
+    a = vx * vx + vy * vy
+    d = b * b - a * c
+    return c / (-b + sqrt(d)) if d >= 0 else inf
+
+
+@jit_borrowing
+def foresee(r, me, near, rank, others):
+    """Fills others (K, OTHER), places relative to me, as my last footprint lands; `rank` is mine (planner.right_of_way)."""
+    for i, j in enumerate(near):
+        o = others[i]
+        _where_it_goes(r, me, j, o)
+        aim, push = hypot(r.aim[j, 0], r.aim[j, 1]), hypot(r.claim[j, 0], r.claim[j, 1])
+        o[5], o[6] = (r.aim[j, 0] / aim, r.aim[j, 1] / aim) if aim > 0 else (0.0, 0.0)
+        o[7] = r.claim[j, 2] if r.claim[j, 2] > rank and push > 0 else -inf
+        if o[7] > rank and hypot(o[2], o[3]) < me.full:
+            o[2], o[3] = me.full * r.claim[j, 0] / push, me.full * r.claim[j, 1] / push
+        elif aim > 0 and hypot(o[2], o[3]) < EAGER * me.full:
+            o[2], o[3] = EAGER * me.full * o[5], EAGER * me.full * o[6]
+        space = SPACE + (1 - SPACE) * min(me.hindered, PATIENT) / PATIENT
+        o[4] = space * (r.room[me.c] + r.room[j])
+
+
+@jit_borrowing
+def _where_it_goes(r, me, j, o):
+    """Place and velocity of j, as its tentative footprints say."""
+    end = COMMITTED + TENTATIVE - 1
+    x, y = reservations.place_on_way(r, j, me.there, end)
+    left = r.way[j, end, 2] - me.there
+    o[0], o[1] = x - me.rest_x, y - me.rest_y
+    o[2] = (r.way[j, end, 0] - x) / left if left > LEAST_TIME else 0.0
+    o[3] = (r.way[j, end, 1] - y) / left if left > LEAST_TIME else 0.0
+
+
+@jit_borrowing
+def soonest(others, vx, vy, horizon):
+    """When a velocity leads to a collision, at most `horizon` [s]."""
+    for o in others:
+        horizon = min(horizon, time_to_collision(o[0], o[1], o[2] - vx, o[3] - vy, o[4]))
+    return horizon
+
+
+@jit_borrowing
+def danger(others, vx, vy):
+    """Cost of the soonest predicted collision of a velocity."""
+    return CAUTION * (1 / max(soonest(others, vx, vy, FORESIGHT), LEAST_TIME) - 1 / FORESIGHT)

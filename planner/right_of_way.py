@@ -1,0 +1,58 @@
+"""Who gives way to whom, where not all can have what they wish.
+
+Everyone has a rank: the steps that others kept from getting on, and more for having those who come against one on the left,
+where they belong. Each claims the step that it would take if nobody of lower rank were there. Those of lower rank expect it to
+come at full speed, and so get out of its way; it expects nothing of the kind (right of way; Curtis, Zafar, Gutub & Manocha
+2013). Who stands in the way of a claim inherits its rank, less one, and claims the step aside: so a whole queue backs off, and
+nobody is pushed back by those whom it pushes (priority inheritance; Okumura, Machida, Defago & Tamura 2022).
+
+A rank grows for as long as one does not get on, and falls step by step when one does: the one of highest rank yields to nobody.
+"""
+
+from math import cos, hypot, inf, sin
+
+from motion.jit import jit_borrowing
+from planner.foresight import OTHER, time_to_collision
+from planner.reservations import COMMITTED
+from planner.way_around import AGAINST
+
+BELONGS = 8.0
+"""Rank of having all who come against one on the left, in steps that did not get on; on the right, the same less."""
+SOON = 0.5
+"""Who would be run into within this time [s], if it stood, is in the way of a claim."""
+
+
+@jit_borrowing
+def rank_of(r, me, near, wished):
+    """My own rank, as far as others have published: for a wished direction of travel [rad]."""
+    ux, uy, left, count, rest = cos(wished), sin(wished), 0.0, 0, COMMITTED - 1
+    for j in near:
+        x, y = r.way[j, rest, 0] - me.rest_x, r.way[j, rest, 1] - me.rest_y
+        far, aim = hypot(x, y), hypot(r.aim[j, 0], r.aim[j, 1])
+        if r.aim[j, 0] * ux + r.aim[j, 1] * uy < AGAINST * aim and far > 0:
+            left += (ux * y - uy * x) / far
+            count += 1
+    return me.hindered + (BELONGS * left / count if count > 0 else 0.0)
+
+
+@jit_borrowing
+def inherited(others, rank):
+    """The rank that counts: of the highest claim that one is in the way of, less one, or one's own."""
+    most = rank
+    for i in range(len(others)):
+        o = others[i]
+        if o[7] - 1 > most and time_to_collision(o[0], o[1], o[2], o[3], o[4]) < SOON:
+            most = o[7] - 1
+    return most
+
+
+@jit_borrowing
+def of_higher_rank(others, higher):
+    """Copies those who claim with a higher rank; returns how many."""
+    count = 0
+    for i in range(len(others)):
+        if others[i, 7] > -inf:
+            for k in range(OTHER):
+                higher[count, k] = others[i, k]
+            count += 1
+    return count
