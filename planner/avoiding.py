@@ -130,11 +130,12 @@ def choose(b, w, r, me, wish, near, scratch, seed, step_number, claim):
 
 @jit
 def make_way(
-    b, w, r, c, wished, side, position, heading, normal, rock, contact_time, overlap, hindered, seed, step_number, claim
+    b, w, r, c, wished, side, position, heading, normal, rock, contact_time, overlap, hindered, seed, step_number, goes,
+    claim,
 ):  # fmt: skip
     """(footprint, hindered): what to place (a planner.plan.Placed) after the last two in rows 0 and 1, instead of the wished.
 
-    `hindered` counts the steps that did not get on. Sets claim (3,): see planner.right_of_way.
+    `hindered` counts the steps that did not get on. Sets claim (3,) of one who goes somewhere: see planner.right_of_way.
     """
     claim[:] = 0.0
     if wished.stands:
@@ -149,8 +150,10 @@ def make_way(
     if count > 0:
         scratch = np.empty((count, OTHER)), np.empty((count, OTHER)), np.empty(CANDIDATES + 1)
         k = choose(b, w, r, me, wish, near[:count], scratch, seed, step_number, claim)
+        if not goes:
+            claim[:] = 0.0
     if k == 0:
-        return wished, _hindered(b, me, wish, wish)
+        return wished, _hindered(b, me, wish, wish) if goes else max(hindered - 1, 0)
     if k == CANDIDATES:
         return plan.stay(side[0], position[0], heading[0], normal[0], rock[0], YIELD_TIME), hindered + 1
     step = candidate(b, me, wish, k)

@@ -45,7 +45,7 @@ def _wish(crowd, b, w, plans, c, seed, n, step):
 
 
 @jit_borrowing
-def _make_way(crowd, b, w, r, c, seed, n, wish):
+def _make_way(crowd, b, w, r, c, seed, n, goes, wish):
     """The wish, or what is free of others instead of it."""
     last = crowd.position[c, n - 1]
     x, y = plan.middle_of(b, crowd.side[c, n - 1], last[0], last[1], crowd.heading[c, n - 1])
@@ -56,7 +56,8 @@ def _make_way(crowd, b, w, r, c, seed, n, wish):
     overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
     placed, crowd.hindered[c] = avoiding.make_way(
         b, w, r, c, wish, crowd.side[c, two], crowd.position[c, two], crowd.heading[c, two], crowd.normal[c, two],
-        crowd.rock[c, two], crowd.contact_time[c, n - 1], overlap, crowd.hindered[c], seed, crowd.number[c], crowd.claim[c],
+        crowd.rock[c, two], crowd.contact_time[c, n - 1], overlap, crowd.hindered[c], seed, crowd.number[c], goes,
+        crowd.claim[c],
     )  # fmt: skip
     return placed
 
@@ -76,7 +77,7 @@ def _place(crowd, bipeds, w, plans, r, c, seed):
             wish = _wish(crowd, b, w, plans, c, seed, k, crowd.number[c] + k - n)
             placed = wish
             if k == n and plan.avoids(plans, c):
-                placed = _make_way(crowd, b, w, r, c, seed, n, wish)
+                placed = _make_way(crowd, b, w, r, c, seed, n, plans.mode[c] == plan.WALK, wish)
                 hindered = placed.stands and not wish.stands
         steps.write(crowd, bipeds, c, k, placed)
         if k == n:

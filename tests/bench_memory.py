@@ -1,0 +1,33 @@
+"""Memory of a crowd over a simulated hour: python tests/bench_memory.py [CHARACTERS] [MINUTES]
+
+Prints the memory of the process [MB] every ten simulated minutes. Uses the interpreter that has the dependencies.
+"""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from motion.biped import load_biped  # noqa: E402
+from planner.wandering import Wander  # noqa: E402
+from sim.bench.crowds import open_forest  # noqa: E402
+from sim.simulation import Simulation  # noqa: E402
+
+
+def resident_mb() -> float:
+    """Of this process now (Linux)."""
+    fields = dict(line.split(":") for line in Path("/proc/self/status").read_text().splitlines() if ":" in line)
+    return int(fields["VmRSS"].split()[0]) / 1024
+
+
+def main() -> None:
+    count, minutes = (int(sys.argv[k]) if len(sys.argv) > k else usual for k, usual in ((1, 300), (2, 60)))
+    sim = Simulation(open_forest(count), [load_biped("bird")] * count, Wander(), 1)
+    for minute in range(minutes + 1):
+        if minute % 10 == 0:
+            print(f"{minute} min: {resident_mb():.1f} MB, {sim.footprints.steps} steps", flush=True)
+        for _ in range(60 * sim.tick_rate):
+            sim.tick()
+
+
+if __name__ == "__main__":
+    main()
