@@ -41,6 +41,7 @@ def measure(n: int, seconds: float, character: str = "bird") -> dict:
     sim = Simulation(open_forest(n), [load_biped(character)] * n, Wander(), 1)
     for _ in range(SETTLE):
         sim.tick()
+    sim.snapshot()  # the first one loads kernels
     threads = numba.get_num_threads()
     begun = int(sim.crowd.number.sum())
     ticks, poses = _run(sim, seconds)
