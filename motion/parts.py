@@ -46,6 +46,17 @@ def call(_, part, address, number):
     return types.none(types.int64, types.int64, types.int64), codegen
 
 
+@intrinsic
+def take(_, counter):
+    """The next number of an array's first element (int64), no thread's but this one's: who is done early takes more."""
+
+    def codegen(context, builder, signature, arguments):
+        array = context.make_array(signature.args[0])(context, builder, arguments[0])
+        return builder.atomic_rmw("add", array.data, ir.Constant(ir.IntType(64), 1), "monotonic")
+
+    return types.int64(counter), codegen
+
+
 def handle(sample: Any) -> tuple[Any, Any]:
     """(lend, opened) for values of the type of `sample`, a tuple of tuples of arrays.
 

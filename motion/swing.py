@@ -11,7 +11,7 @@ it is flat, and the toe in place, at the contact.
 from math import asin, cos, sin, sqrt
 
 from motion import foot
-from motion.jit import jit_borrowing
+from motion.jit import jit_borrowing, jit_inline
 
 GRAVITY = 9.81
 HOLD, EDGE_HOLD = 0.04, 0.15
@@ -50,7 +50,7 @@ def fade(s, end):
     return 1 - x * x * (3 - 2 * x)
 
 
-@jit_borrowing
+@jit_inline
 def toes_up(b, track, n, m, s):
     """Pitch, toes up [rad], at share s of the swing from n to m: for a landing on the heel, in a swing with time for it."""
     landing = b.heel_strike_angle * max(1 - 2 * track.roll[m, 0], 0.0)
@@ -99,7 +99,7 @@ def outward(b, track, n, m, start, goal):
     return -amount * dy / length, amount * dx / length
 
 
-@jit_borrowing
+@jit_inline
 def sole_at(b, track, n, m, s):
     """Where the sole is at share s of the swing from footprint n to m.
 
@@ -127,7 +127,7 @@ def sole_at(b, track, n, m, s):
     return _about_heel(b, ball, heading, normal, up), heading, normal, pitch, left_with * fade(s, FLEX_FADE)
 
 
-@jit_borrowing
+@jit_inline
 def _about_heel(b, ball, heading, normal, up):
     """The ball of a foot that is turned about its heel by `up` [rad], toes up."""
     reach = 0.5 * b.foot_length + b.ball_forward
@@ -140,7 +140,7 @@ def _about_heel(b, ball, heading, normal, up):
     )
 
 
-@jit_borrowing
+@jit_inline
 def point_of_foot(b, ball, heading, normal, forward, up, pitch):
     """World point of the foot at (forward of the ball, up), pitched about the ball with the heel rising."""
     f = foot.sole_axis(heading, normal)

@@ -97,13 +97,15 @@ def _lift(b, w, track, n, m):
     lift = b.clearance
     back, ahead = -0.5 * b.foot_length - b.ball_forward, 0.5 * b.foot_length - b.ball_forward
     track.lift[m] = 0.0
-    samples = LEVEL_SAMPLES if is_level(b, w, track, n, m) else SAMPLES
+    level = is_level(b, w, track, n, m)
+    samples = LEVEL_SAMPLES if level else SAMPLES
     for k in range(1, samples):
         s = k / samples
         ball, heading, normal, pitch, flex = swing.sole_at(b, track, n, m, s)
         rise = swing.bump(s)
         for forward, bend in ((back, pitch), (0.0, 0.0), (ahead, pitch - flex)):
             p = swing.point_of_foot(b, ball, heading, normal, forward, 0.0, bend)
-            lack = queries.ground_height(w, p[0], p[1]) + b.clearance * rise - p[2]
+            ground = 0.0 if level else queries.ground_height(w, p[0], p[1])
+            lack = ground + b.clearance * rise - p[2]
             lift = max(lift, min(lack / rise, 3 * b.max_rise))
     return lift

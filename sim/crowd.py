@@ -13,7 +13,7 @@ from numba import prange
 from motion import foot
 from motion.biped import BIPED
 from motion.jit import borrowed, jit, jit_borrowing, jit_parallel
-from motion.parts import handle
+from motion.parts import handle, take
 from motion.pose import empty_pose, pose_kernel
 from motion.spline import position_at
 from motion.track import Track
@@ -24,8 +24,10 @@ TENTATIVE = 3
 """Footprints beyond the newest, known only to the window."""
 CURVE = 14
 """Committed segments kept."""
-SHARE = 8
-"""Characters that a thread takes at a time."""
+SHARE = 4
+"""Characters that a thread takes at a time; so many are no work for two."""
+WORKERS = 64
+"""More than there are threads: each works until nothing is left, and those that come late find nothing."""
 _ROWS = REAL + TENTATIVE
 _WINDOW = 2 * _ROWS + 2
 
@@ -181,27 +183,35 @@ _lend, _opened = handle((empty_crowd(np.zeros(1)), np.zeros(1, BIPED).view(np.re
 
 
 @jit_borrowing
-def _pose_some(address, t, rows, begin):
+def _pose_some(address, t, rows, counter):
+    """Poses share after share, until none is left."""
     crowd, bipeds, pose = _opened(address)
-    for k in range(begin, min(begin + SHARE, len(rows))):
-        c = rows[k]
-        m = crowd.curve_count[c]
-        pose_kernel(
-            bipeds[crowd.kind[c]], track_of(crowd, c, crowd.real[c]), crowd.curve_time[c, : m + 1],
-            crowd.control[c, : m + 1], t, pose, k,
-        )  # fmt: skip
+    begin = take(counter) * SHARE
+    while begin < len(rows):
+        for k in range(begin, min(begin + SHARE, len(rows))):
+            c = rows[k]
+            m = crowd.curve_count[c]
+            pose_kernel(
+                bipeds[crowd.kind[c]], track_of(crowd, c, crowd.real[c]), crowd.curve_time[c, : m + 1],
+                crowd.control[c, : m + 1], t, pose, k,
+            )  # fmt: skip
+        begin = take(counter) * SHARE
 
 
 @jit_parallel
-def _pose_shares(address, t, rows):
-    for share in prange((len(rows) + SHARE - 1) // SHARE):
-        _pose_some(address, t, rows, np.int64(share) * SHARE)  # prange counts unsigned: kernels would be compiled twice
+def _pose_in_threads(address, t, rows, counter):
+    for _ in prange(WORKERS):
+        _pose_some(address, t, rows, counter)
 
 
 @jit
 def pose_all(crowd, bipeds, t, rows, pose):
     """Poses the characters `rows` (K,) at time t [s] into pose, a motion.pose.Pose of K rows."""
-    _pose_shares(_lend((crowd, bipeds, pose)), t, rows)
+    address, counter = _lend((crowd, bipeds, pose)), np.zeros(1, np.int64)
+    if len(rows) <= SHARE:
+        _pose_some(address, t, rows, counter)
+    else:
+        _pose_in_threads(address, t, rows, counter)
 
 
 @jit_borrowing

@@ -11,10 +11,10 @@ from numba import prange
 from motion import newton, window
 from motion.biped import BIPED
 from motion.jit import jit, jit_borrowing, jit_parallel
-from motion.parts import Part, call, handle
+from motion.parts import Part, call, handle, take
 from planner import avoiding, plan, reservations
 from sim import rows, steps
-from sim.crowd import REAL, SHARE, TENTATIVE, empty_crowd, horizon, track_of
+from sim.crowd import REAL, SHARE, TENTATIVE, WORKERS, empty_crowd, horizon, track_of
 from worlds.world import World
 
 WINDOW_TAIL = 0.0
@@ -187,16 +187,20 @@ def due_now(r, until, placed):
 
 
 @jit_borrowing
-def _advance_some(one, address, turn, begin):
-    for k in range(begin, min(begin + SHARE, len(turn))):
-        call(one.plan, address, turn[k])
-        call(one.optimise, address, turn[k])
+def _advance_some(one, address, turn, counter):
+    """One round for share after share of a turn, until none is left."""
+    begin = take(counter) * SHARE
+    while begin < len(turn):
+        for k in range(begin, min(begin + SHARE, len(turn))):
+            call(one.plan, address, turn[k])
+            call(one.optimise, address, turn[k])
+        begin = take(counter) * SHARE
 
 
 @jit_parallel
-def _advance_shares(one, address, turn):
-    for share in prange((len(turn) + SHARE - 1) // SHARE):
-        _advance_some(one, address, turn, np.int64(share) * SHARE)  # prange counts unsigned: all would be compiled twice
+def _advance_in_threads(one, address, turn, counter):
+    for _ in prange(WORKERS):
+        _advance_some(one, address, turn, counter)
 
 
 @jit
@@ -207,13 +211,18 @@ def advance_all(one, crowd, bipeds, w, plans, r, seed, effort, until, placed):
     before, then all publish, so the order of threads does not matter.
     """
     placed[:] = 0
+    counter = np.zeros(1, np.int64)
     address = lend((crowd, bipeds, w, plans, r, seed, effort))
     due = due_now(r, until, placed)
     if len(due) > 0:
         reservations.sort_into_cells(r)
     while len(due) > 0:
         turn = reservations.without_neighbours(r, due)
-        _advance_shares(one, address, turn)
+        counter[0] = 0
+        if len(turn) <= SHARE:
+            _advance_some(one, address, turn, counter)
+        else:
+            _advance_in_threads(one, address, turn, counter)
         publish_all(crowd, bipeds, r, turn)
         for c in turn:
             placed[c] += 1
