@@ -57,6 +57,23 @@ def take(_, counter):
     return types.int64(counter), codegen
 
 
+@intrinsic
+def fetch(_, array, index):
+    """Asks for the memory at array[index] and 63 bytes beyond, which is wanted soon."""
+
+    def codegen(context, builder, signature, arguments):
+        struct = context.make_array(signature.args[0])(context, builder, arguments[0])
+        indices = cgutils.unpack_tuple(builder, arguments[1], len(signature.args[1]))
+        at = cgutils.get_item_pointer(context, builder, signature.args[0], struct, indices, wraparound=False)
+        at, flag = builder.bitcast(at, ir.IntType(8).as_pointer()), ir.IntType(32)
+        kind = ir.FunctionType(ir.VoidType(), [at.type, flag, flag, flag])
+        wanted = cgutils.get_or_insert_function(builder.module, kind, "llvm.prefetch.p0")
+        builder.call(wanted, [at, flag(0), flag(3), flag(1)])
+        return context.get_dummy_value()
+
+    return types.none(array, index), codegen
+
+
 def handle(sample: Any) -> tuple[Any, Any]:
     """(lend, opened) for values of the type of `sample`, a tuple of tuples of arrays.
 

@@ -13,7 +13,7 @@ from numba import prange
 from motion import foot
 from motion.biped import BIPED
 from motion.jit import borrowed, jit, jit_borrowing, jit_parallel
-from motion.parts import handle, take
+from motion.parts import fetch, handle, take
 from motion.pose import empty_pose, pose_kernel
 from motion.spline import position_at
 from motion.track import Track
@@ -183,6 +183,25 @@ _lend, _opened = handle((empty_crowd(np.zeros(1)), np.zeros(1, BIPED).view(np.re
 
 
 @jit_borrowing
+def fetch_row(crowd, c):
+    """Asks for what a pose of character c reads: its rows lie far apart, and too many are read at once to be foreseen."""
+    last, m = crowd.real[c] - 4, crowd.curve_count[c]
+    for array in (crowd.heading, crowd.contact_time, crowd.stance_time, crowd.step_time, crowd.facing, crowd.lift, crowd.hold):
+        fetch(array, (c, 0))
+        fetch(array, (c, 7))
+    fetch(crowd.nominal_length, (c, 5))
+    fetch(crowd.side, (c, 0))
+    fetch(crowd.side, (c, 7))
+    for n in range(last, last + 4, 2):
+        fetch(crowd.position, (c, n, 0))
+        fetch(crowd.normal, (c, n, 0))
+    fetch(crowd.roll, (c, last, 0))
+    fetch(crowd.curve_time, (c, m - 4))
+    for n in range(m - 4, m + 1):
+        fetch(crowd.control, (c, n, 0))
+
+
+@jit_borrowing
 def _pose_some(address, t, rows, counter):
     """Poses share after share, until none is left."""
     crowd, bipeds, pose = _opened(address)
@@ -190,6 +209,8 @@ def _pose_some(address, t, rows, counter):
     while begin < len(rows):
         for k in range(begin, min(begin + SHARE, len(rows))):
             c = rows[k]
+            if k + 2 < len(rows):
+                fetch_row(crowd, rows[k + 2])
             m = crowd.curve_count[c]
             pose_kernel(
                 bipeds[crowd.kind[c]], track_of(crowd, c, crowd.real[c]), crowd.curve_time[c, : m + 1],

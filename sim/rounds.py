@@ -11,10 +11,10 @@ from numba import prange
 from motion import newton, window
 from motion.biped import BIPED
 from motion.jit import jit, jit_borrowing, jit_parallel
-from motion.parts import Part, call, handle, take
+from motion.parts import Part, call, fetch, handle, take
 from planner import avoiding, plan, reservations
 from sim import rows, steps
-from sim.crowd import REAL, SHARE, TENTATIVE, WORKERS, empty_crowd, horizon, track_of
+from sim.crowd import REAL, SHARE, TENTATIVE, WORKERS, empty_crowd, fetch_row, horizon, track_of
 from worlds.world import World
 
 WINDOW_TAIL = 0.0
@@ -187,11 +187,24 @@ def due_now(r, until, placed):
 
 
 @jit_borrowing
+def _fetch_round(crowd, c):
+    """Asks for what a round of character c reads."""
+    fetch_row(crowd, c)
+    for n in range(crowd.window_count[c] + 1):
+        fetch(crowd.window_control, (c, n, 0))
+    fetch(crowd.window_time, (c, 0))
+    fetch(crowd.window_time, (c, 8))
+
+
+@jit_borrowing
 def _advance_some(one, address, turn, counter):
     """One round for share after share of a turn, until none is left."""
+    crowd = opened(address)[0]
     begin = take(counter) * SHARE
     while begin < len(turn):
         for k in range(begin, min(begin + SHARE, len(turn))):
+            if k + 1 < len(turn):
+                _fetch_round(crowd, turn[k + 1])
             call(one.plan, address, turn[k])
             call(one.optimise, address, turn[k])
         begin = take(counter) * SHARE
