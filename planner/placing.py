@@ -6,7 +6,7 @@ from motion import swing
 from motion.jit import jit_borrowing
 from planner import timing
 from worlds import queries
-from worlds.arrays import FLAT, HEIGHTMAP, HILLS, REACH
+from worlds.arrays import FLAT, HEIGHTMAP, HILLS
 
 SAMPLES = 41
 """Shares of the swing at which the ground below the foot is asked for."""
@@ -82,13 +82,19 @@ def _runs(b, track, n, m):
 
 @jit_borrowing
 def is_level(b, w, track, n, m):
-    """Whether the ground below the swing from footprint n to m is flat, without a rock: a cell lists all within REACH of it."""
-    p, q = track.position[n], track.position[m]
-    cell = queries.cell_of(w, p[0], p[1])
-    if w.terrain_kind != FLAT or w.rock_start[cell] != w.rock_start[cell + 1]:
+    """Whether the ground below the swing from footprint n to m is flat, without a rock: no cell that it crosses lists one."""
+    if w.terrain_kind != FLAT:
         return False
+    p, q = track.position[n], track.position[m]
     bow = swing.outward(b, track, n, m, (p[0], p[1], p[2]), (q[0], q[1], q[2]))
-    return max(abs(q[0] - p[0]), abs(q[1] - p[1])) + abs(bow[0]) + abs(bow[1]) + b.foot_length < REACH
+    x, y = abs(bow[0]) + b.foot_length, abs(bow[1]) + b.foot_length
+    first = queries.cell_of(w, min(p[0], q[0]) - x, min(p[1], q[1]) - y)
+    last = queries.cell_of(w, max(p[0], q[0]) + x, max(p[1], q[1]) + y)
+    for row in range(first // w.columns, last // w.columns + 1):
+        begin, end = row * w.columns + first % w.columns, row * w.columns + last % w.columns
+        if w.rock_start[begin] != w.rock_start[end + 1]:
+            return False
+    return True
 
 
 @jit_borrowing

@@ -54,10 +54,12 @@ def test_lift_on_level_ground_is_the_twin_s(character):
 
 
 def test_ground_with_a_rock_in_the_way_is_not_level():
-    b, track = walk("human", np.random.default_rng(2))
-    for away in np.arange(-3.0, 4.0, 0.25):
-        middle = 0.5 * (track.position[2] + track.position[4])
-        w = rocky(middle[0] + away).arrays
-        if abs(away) < np.ptp(track.position[[2, 4], 0]) / 2 + 0.3:
-            assert not placing.is_level(b, w, track, 2, 4)
-    assert placing.is_level(b, rocky(28.0).arrays, track, 2, 4)
+    """Wherever the walk begins in the cells of the grid, and wherever on the way the rock lies."""
+    rng = np.random.default_rng(2)
+    for _ in range(200):
+        b, track = walk("human", rng)
+        track.position[:, 0] += rng.uniform(-4, 4)
+        start, goal = track.position[2], track.position[4]
+        assert placing.is_level(b, rocky(29.5).arrays, track, 2, 4)
+        at = start[0] + rng.uniform() * (goal[0] - start[0])
+        assert not placing.is_level(b, rocky(at).arrays, track, 2, 4)
