@@ -240,16 +240,6 @@ def total(_, x):
 
 
 @intrinsic
-def lane(_, x, k):
-    """Lane k, a number."""
-
-    def codegen(context, builder, sig, args):
-        return builder.extract_element(args[0], context.cast(builder, args[1], sig.args[1], types.int32))
-
-    return signature(types.float64, x, k), codegen
-
-
-@intrinsic
 def anywhere(_, mask):
     """Whether a truth holds in any lane."""
 

@@ -75,12 +75,8 @@ def _lay_sample(b, track, stance, problem, i, j, left, right, t, k):
         if n >= 0:
             u = _share(track, n, t)
             roll = track.roll[n, 0] + u * (track.roll[n, 1] - track.roll[n, 0])
-            x, y, z = _on_sole(track, stance, n, (roll - 0.5) * b.foot_length, 0.0)
-            at = problem.support_point
-            at[j, leg, 0, i], at[j, leg, 1, i], at[j, leg, 2, i] = x, y, z
-            x, y, z = _origin(b, track, stance, n, leg, k, u)
-            at = problem.leg_origin
-            at[j, leg, 0, i], at[j, leg, 1, i], at[j, leg, 2, i] = x, y, z
+            _put(problem.support_point, j, leg, i, _on_sole(track, stance, n, (roll - 0.5) * b.foot_length, 0.0))
+            _put(problem.leg_origin, j, leg, i, _origin(b, track, stance, n, leg, k, u))
             problem.nominal_length[j, leg, i] = track.nominal_length[n]
 
 
@@ -91,9 +87,12 @@ def _lay_end(b, track, stance, problem, i, end, left, right, t, k):
         n = left if leg == 0 else right
         problem.end_standing[end, leg, i] = n >= 0
         if n >= 0:
-            x, y, z = _origin(b, track, stance, n, leg, k, _share(track, n, t))
-            at = problem.end_origin
-            at[end, leg, 0, i], at[end, leg, 1, i], at[end, leg, 2, i] = x, y, z
+            _put(problem.end_origin, end, leg, i, _origin(b, track, stance, n, leg, k, _share(track, n, t)))
+
+
+@jit_inline
+def _put(array, j, leg, i, point):
+    array[j, leg, 0, i], array[j, leg, 1, i], array[j, leg, 2, i] = point
 
 
 @jit_inline

@@ -113,13 +113,17 @@ def _claim(b, w, r, me, wish, rank, others, scratch, seed, step_number, claim):
 
 @jit_borrowing
 def choose(b, w, r, me, wish, near, scratch, seed, step_number, claim):
-    """The best candidate that is free; 0 is the wish, CANDIDATES is standing. Whoever cannot have its wish sets its claim."""
+    """The best candidate that is free; 0 is the wish, CANDIDATES is standing.
+
+    Whoever goes somewhere and cannot have its wish sets its claim.
+    """
     others, higher, cost = scratch
     rank = rank_of(r, me, near, wish.heading)
     foresee(r, me, near, rank, others)
     if danger(others, (wish.x - me.x) / wish.time, (wish.y - me.y) / wish.time) == 0 and is_free(w, r, me, near, wish):
         return 0
-    _claim(b, w, r, me, wish, rank, others, (higher, cost), seed, step_number, claim)
+    if me.goes:
+        _claim(b, w, r, me, wish, rank, others, (higher, cost), seed, step_number, claim)
     _costs(b, w, r, me, wish, others, seed, step_number, cost)
     while True:
         k = np.argmin(cost)
@@ -144,14 +148,12 @@ def make_way(
     count = reservations.neighbours(r, c, r.reach, near)
     if count == 0:
         return wished, 0
-    me = walker(b, w, c, side, position, heading, contact_time, overlap, hindered)
+    me = walker(b, w, c, side, position, heading, contact_time, overlap, hindered, goes)
     x, y = plan.middle_of(b, wished.side, wished.x, wished.y, wished.heading)
     wish, k = step_to(b, me, x, y, wished.heading), CANDIDATES
     if count > 0:
         scratch = np.empty((count, OTHER)), np.empty((count, OTHER)), np.empty(CANDIDATES + 1)
         k = choose(b, w, r, me, wish, near[:count], scratch, seed, step_number, claim)
-        if not goes:
-            claim[:] = 0.0
     if k == 0:
         return wished, _hindered(b, me, wish, wish) if goes else max(hindered - 1, 0)
     if k == CANDIDATES:

@@ -38,6 +38,7 @@ class Walker(NamedTuple):
     margin: float  # kept from trees [m]
     full: float  # speed when nothing hinders [m/s]
     hindered: int  # steps that did not get on
+    goes: bool  # somewhere: it claims a right of way
 
 
 class Step(NamedTuple):
@@ -52,14 +53,14 @@ class Step(NamedTuple):
 
 
 @jit_borrowing
-def walker(b, w, c, side, position, heading, contact_time, overlap, hindered):
+def walker(b, w, c, side, position, heading, contact_time, overlap, hindered, goes):
     x, y = plan.middle_of(b, side[1], position[1, 0], position[1, 1], heading[1])
     rest_x, rest_y = 0.5 * (position[0, 0] + position[1, 0]), 0.5 * (position[0, 1] + position[1, 1])
     margin = min(b.body_radius + MARGIN, queries.clearance(w, x, y))
     full = b.preferred_step / timing.step_timing(b, b.preferred_step, 0.0, 0.0, False)[0]
     return Walker(
         c, 1 - side[1], position[1, 0], position[1, 1], x, y, heading[1], rest_x, rest_y, contact_time,
-        contact_time + reservations.lag(b), overlap, margin, full, hindered,
+        contact_time + reservations.lag(b), overlap, margin, full, hindered, goes,
     )  # fmt: skip
 
 

@@ -134,16 +134,16 @@ def plan_step(address, c):
     crowd.real[c] = n + 1
 
 
-class Round(NamedTuple):
+class Parts(NamedTuple):
     """The parts of one round of the paper's loop, by where they lie: kernels get them as an argument."""
 
     plan: int
     optimise: int
 
 
-def parts() -> Round:
+def compiled_parts() -> Parts:
     """The parts, compiled."""
-    return Round(plan_step.address, optimise_step.address)
+    return Parts(plan_step.address, optimise_step.address)
 
 
 @jit_borrowing
@@ -197,7 +197,7 @@ def _fetch_round(crowd, c):
 
 
 @jit_borrowing
-def _advance_some(one, address, turn, counter):
+def _advance_some(parts, address, turn, counter):
     """One round for share after share of a turn, until none is left."""
     crowd = opened(address)[0]
     begin = take(counter) * SHARE
@@ -205,20 +205,20 @@ def _advance_some(one, address, turn, counter):
         for k in range(begin, min(begin + SHARE, len(turn))):
             if k + 1 < len(turn):
                 _fetch_round(crowd, turn[k + 1])
-            call(one.plan, address, turn[k])
-            call(one.optimise, address, turn[k])
+            call(parts.plan, address, turn[k])
+            call(parts.optimise, address, turn[k])
         begin = take(counter) * SHARE
 
 
 @jit_parallel
-def _advance_in_threads(one, address, turn, counter):
+def _advance_in_threads(parts, address, turn, counter):
     for _ in prange(WORKERS):
-        _advance_some(one, address, turn, counter)
+        _advance_some(parts, address, turn, counter)
 
 
 @jit
-def advance_all(one, crowd, bipeds, w, plans, r, seed, effort, until, placed):
-    """One Round for every character whose committed curve ends before `until` [s]; placed (C,) counts the new footprints.
+def advance_all(parts, crowd, bipeds, w, plans, r, seed, effort, until, placed):
+    """One round for every character whose committed curve ends before `until` [s]; placed (C,) counts the new footprints.
 
     Neighbours who are due in the same tick take turns, as often as needed: all of a turn decide against what was published
     before, then all publish, so the order of threads does not matter.
@@ -233,9 +233,9 @@ def advance_all(one, crowd, bipeds, w, plans, r, seed, effort, until, placed):
         turn = reservations.without_neighbours(r, due)
         counter[0] = 0
         if len(turn) <= SHARE:
-            _advance_some(one, address, turn, counter)
+            _advance_some(parts, address, turn, counter)
         else:
-            _advance_in_threads(one, address, turn, counter)
+            _advance_in_threads(parts, address, turn, counter)
         publish_all(crowd, bipeds, r, turn)
         for c in turn:
             placed[c] += 1

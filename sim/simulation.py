@@ -67,8 +67,8 @@ class Simulation(Cast):
     def _plan(self) -> None:
         until = self.time + 1e-9
         rounds.advance_all(
-            rounds.parts(), self.crowd, self.bipeds, self.world.arrays, self.plans, self.reservations, self.seed, self.effort,
-            until, self._placed,
+            rounds.compiled_parts(), self.crowd, self.bipeds, self.world.arrays, self.plans, self.reservations, self.seed,
+            self.effort, until, self._placed,
         )  # fmt: skip
         if self._placed.any():
             self.footprints.add(self.crowd, self._placed)

@@ -79,7 +79,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
     return {
         "window solve": [(rounds.optimise_step, ())],
         "placing footprints": [(rounds.plan_step, ())],
-        "tick of the crowd": [(rounds.advance_all, (rounds.Round(0, 0), crowd, bipeds, w, plans, r, 0, newton.LIVE, 0.0, one))],
+        "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), crowd, bipeds, w, plans, r, 0, newton.LIVE, 0.0, one))],
         "poses": [(crowds.pose_all, (crowd, bipeds, 0.0, one, empty_pose(1))), (crowds.com_all, (crowd, 0.0, matrix))],
         "standing": [
             (crowds.stand, (crowd, bipeds, 0, 0.0, 0, matrix, np.zeros(2), matrix, one)),

@@ -87,12 +87,12 @@ def _parts(sim: Simulation, pose_seconds: float) -> dict:
     rows = np.sort(np.argsort(sim.reservations.due, kind="stable")[:SAMPLE])
     reservations.sort_into_cells(sim.reservations)
     held = crowd, sim.bipeds, sim.world.arrays, sim.plans, sim.reservations, sim.seed, sim.effort
-    one = rounds.parts()
-    _of_rows(one.plan, held, rows[:0])
+    parts = rounds.compiled_parts()
+    _of_rows(parts.plan, held, rows[:0])
     begin = perf_counter()
-    _of_rows(one.plan, held, rows)
+    _of_rows(parts.plan, held, rows)
     planned = perf_counter()
-    _of_rows(one.optimise, held, rows)
+    _of_rows(parts.optimise, held, rows)
     solved = perf_counter()
     return {
         "planning_us_per_step": 1e6 * (planned - begin) / len(rows),

@@ -68,7 +68,7 @@ def test_who_goes_the_same_way_may_be_on_either_side():
 
 def waiting(hindered):
     """One who stands at 5, 5 and wishes to go toward +x at 1 m/s."""
-    return Walker(0, 0, 5.0, 4.9, 5.0, 5.0, 0.0, 5.0, 5.0, 0.0, 0.0, 0.0, 0.3, 1.0, hindered)
+    return Walker(0, 0, 5.0, 4.9, 5.0, 5.0, 0.0, 5.0, 5.0, 0.0, 0.0, 0.0, 0.3, 1.0, hindered, True)
 
 
 def facing(x, y, claim=(0.0, 0.0, 0.0)):
