@@ -61,6 +61,15 @@ make no arrays either."""
 jit_parallel = numba.njit(**_OWNING, parallel=True)
 
 
+def start_threads() -> None:
+    """Starts numba's threads, where they do not run yet: before any kernel is loaded that calls a parallel one.
+
+    numba starts them when it loads a parallel kernel, but not when it loads one that calls it, if that was compiled while the
+    parallel one came from the cache (a first start that was cut short, or two at once): its calls would lead nowhere.
+    """
+    numba.get_num_threads()
+
+
 @intrinsic
 def borrowed(_, arrays):
     """The same NamedTuple of arrays without a say in how long they live: whoever lends them keeps them alive."""

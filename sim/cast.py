@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from motion.biped import BIPED, Biped
+from motion.jit import start_threads
 from motion.pose import Pose, empty_pose
 from motion.track import Track
 from planner import placing
@@ -20,6 +21,7 @@ class Cast:
     """Characters, standing at first. A subclass lets them move: `tick`."""
 
     def __init__(self, world: World, characters: Sequence[Biped], seed: int, tick_rate: int, **capacity: int) -> None:
+        start_threads()
         self.world, self.characters = world, list(characters)
         self.seed, self.tick_rate, self.ticks = int(seed), tick_rate, 0
         self.bipeds, kind = _biped_table(self.characters)

@@ -1,5 +1,7 @@
 """The first start compiles kernels for the very types that they are called with later."""
 
+import subprocess
+import sys
 from unittest.mock import Mock
 
 import numpy as np
@@ -33,6 +35,20 @@ def test_nothing_is_left_to_compile():
         crowd.stand,
     } <= set(kernels)
     assert [_compiled(kernel) for kernel in kernels] == compiled
+
+
+def test_threads_run_before_kernels_are_loaded():
+    """Else a kernel from the cache that calls a parallel one may find nothing there: see motion.jit.start_threads."""
+    alone = """
+import numba
+from motion.biped import load_biped
+from sim.cast import Cast
+from worlds.world import World
+Cast(World("empty", (9.0, 9.0)), [load_biped("bird")], 1, 60)
+print(numba.threading_layer())
+"""
+    ran = subprocess.run([sys.executable, "-c", alone], cwd=warmup.ROOT, capture_output=True, text=True, check=False)
+    assert ran.stdout == "workqueue\n", ran.stderr
 
 
 def _compiled(kernel) -> list:
