@@ -5,14 +5,14 @@ real ones and, with higher step numbers, tentative ones. Nothing is remembered b
 reached, which the crowd keeps.
 """
 
-from math import cos, hypot, sin
+from math import atan2, cos, hypot, sin
 from typing import NamedTuple
 
 import numpy as np
 
 from motion.jit import jit_borrowing
 from planner import placing, random
-from planner.wander import walk_step, wander_step
+from planner.wander import free_way, walk_step, wander_step
 from worlds import queries
 
 WANDER, ROUTE, STAND, WALK = 0, 1, 2, 3
@@ -33,6 +33,7 @@ class Plans(NamedTuple):
     route_begin: np.ndarray  # (C,) number of the step to the route's first footprint
     route_length: np.ndarray  # (C,)
     route: np.ndarray  # (C, R, 4) side, x, y, heading (unwrapped)
+    begin: np.ndarray  # (C, 2) where a walker sets out
     stops: np.ndarray  # (C, P, 2) places to walk to, one after the other
     again: np.ndarray  # (C,) bool: from the last stop on to the first
     near: np.ndarray  # (C,) a stop on the way is reached within this distance [m]
@@ -62,6 +63,7 @@ def plans_of(mode: int, characters: int, routes: int = 0, stops: int = 0) -> Pla
         np.zeros(c, np.int64),
         np.zeros(c, np.int64),
         np.zeros((c, routes, 4)),
+        np.zeros((c, 2)),
         np.zeros((c, stops, 2)),
         np.zeros(c, np.bool_),
         np.zeros(c),
@@ -114,12 +116,36 @@ def stop_of(plans, c, reached):
 
 
 @jit_borrowing
-def is_there(b, plans, c, reached, hindered, x, y):
-    """Whether character c, whose middle is at x, y, has come to the stop that it walks to."""
+def stays(plans, c, reached):
+    """Whether the stop that character c walks to is its last."""
+    return not plans.again[c] and reached >= plans.stops.shape[1] - 1
+
+
+@jit_borrowing
+def is_there(b, w, plans, c, reached, hindered, x, y):
+    """Whether character c, whose middle is at x, y, has come to the stop that it walks to, or past it on its way."""
     stop = stop_of(plans, c, reached)
-    last = not plans.again[c] and reached >= plans.stops.shape[1] - 1
-    near = (THERE + CONTENT * min(hindered, PATIENT)) * b.preferred_step if last else plans.near[c]
-    return hypot(plans.stops[c, stop, 0] - x, plans.stops[c, stop, 1] - y) < near
+    near = (THERE + CONTENT * min(hindered, PATIENT)) * b.preferred_step if stays(plans, c, reached) else plans.near[c]
+    return hypot(plans.stops[c, stop, 0] - x, plans.stops[c, stop, 1] - y) < near or (
+        not stays(plans, c, reached) and _is_past(b, w, plans, c, reached, x, y)
+    )
+
+
+@jit_borrowing
+def _is_past(b, w, plans, c, reached, x, y):
+    """Whether the stop lies behind, beyond the line across the way to it, and the way to the next one is free.
+
+    Whom others have pushed past a stop does not come back for it: behind a gap, that would block it.
+    """
+    stop, before = stop_of(plans, c, reached), stop_of(plans, c, max(reached - 1, 0))
+    from_x, from_y = (plans.begin[c, 0], plans.begin[c, 1]) if reached == 0 else (plans.stops[c, before, 0], plans.stops[c, before, 1])
+    stop_x, stop_y = plans.stops[c, stop, 0], plans.stops[c, stop, 1]
+    if (x - stop_x) * (stop_x - from_x) + (y - stop_y) * (stop_y - from_y) <= 0:
+        return False
+    then = stop_of(plans, c, reached + 1)
+    dx, dy = plans.stops[c, then, 0] - x, plans.stops[c, then, 1] - y
+    far = hypot(dx, dy)
+    return free_way(w, x, y, atan2(dy, dx), min(b.body_radius, queries.clearance(w, x, y) - 0.01), far) >= far
 
 
 @jit_borrowing
@@ -144,9 +170,11 @@ def next_footprint(b, w, plans, c, seed, step, reached, hindered, side, position
         return put(b, w, int(f[0]), f[1], f[2], f[3])
     x, y = middle_of(b, side[1], position[1, 0], position[1, 1], heading[1])
     if plans.mode[c] == WALK:
-        if is_there(b, plans, c, reached, hindered, x, y):
+        there = is_there(b, w, plans, c, reached, hindered, x, y)
+        if there and stays(plans, c, reached):
             return stay(side[0], position[0], heading[0], normal[0], rock[0], STAND_TIME)
-        x, y, ahead = walk_step(b, w, x, y, heading[1], plans.stops[c, stop_of(plans, c, reached)], seed, c)
+        stop = stop_of(plans, c, reached + there)
+        x, y, ahead = walk_step(b, w, x, y, heading[1], plans.stops[c, stop], seed, c)
     else:
         x, y, ahead = wander_step(b, w, x, y, heading[1], seed, c, step)
     x, y = beside(b, 1 - side[1], x, y, ahead)

@@ -32,4 +32,4 @@ class WalkTo:
         """Plans for all; a stop that was reached stays reached."""
         plans = plan.plans_of(plan.WALK, len(characters), 1, 1)
         plans.again[:], plans.near[:] = self.again, self.near
-        return plans._replace(stops=self.stops)
+        return plans._replace(begin=self.places[:, :2].copy(), stops=self.stops)

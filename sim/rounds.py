@@ -88,12 +88,11 @@ def _place(crowd, bipeds, w, plans, r, c, seed):
 
 
 @jit_borrowing
-def _reach_stop(crowd, b, plans, c, n):
+def _reach_stop(crowd, b, w, plans, c, n):
     """Counts the stop that a walker has come to, unless it is the last one to stay at."""
     x, y = crowd.position[c, n - 1, 0], crowd.position[c, n - 1, 1]
     x, y = plan.middle_of(b, crowd.side[c, n - 1], x, y, crowd.heading[c, n - 1])
-    more = plans.again[c] or crowd.reached[c] < plans.stops.shape[1] - 1
-    if more and plan.is_there(b, plans, c, crowd.reached[c], crowd.hindered[c], x, y):
+    if not plan.stays(plans, c, crowd.reached[c]) and plan.is_there(b, w, plans, c, crowd.reached[c], crowd.hindered[c], x, y):
         crowd.reached[c] += 1
 
 
@@ -129,7 +128,7 @@ def plan_step(address, c):
     n = crowd.real[c]
     crowd.number[c] += 1
     if plans.mode[c] == plan.WALK:
-        _reach_stop(crowd, bipeds[crowd.kind[c]], plans, c, n)
+        _reach_stop(crowd, bipeds[crowd.kind[c]], w, plans, c, n)
     _place(crowd, bipeds, w, plans, r, c, seed)
     crowd.real[c] = n + 1
 
