@@ -137,8 +137,10 @@ def _is_past(b, w, plans, c, reached, x, y):
 
     Whom others have pushed past a stop does not come back for it: behind a gap, that would block it.
     """
-    stop, before = stop_of(plans, c, reached), stop_of(plans, c, max(reached - 1, 0))
-    from_x, from_y = (plans.begin[c, 0], plans.begin[c, 1]) if reached == 0 else (plans.stops[c, before, 0], plans.stops[c, before, 1])
+    stop, from_x, from_y = stop_of(plans, c, reached), plans.begin[c, 0], plans.begin[c, 1]
+    if reached > 0:
+        before = stop_of(plans, c, reached - 1)
+        from_x, from_y = plans.stops[c, before, 0], plans.stops[c, before, 1]
     stop_x, stop_y = plans.stops[c, stop, 0], plans.stops[c, stop, 1]
     if (x - stop_x) * (stop_x - from_x) + (y - stop_y) * (stop_y - from_y) <= 0:
         return False

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from motion.biped import load_biped
+from planner import plan
 from planner.candidates import Walker
 from planner.foresight import EAGER, OTHER, foresee
 from planner.reservations import empty_reservations
@@ -24,6 +25,31 @@ def test_a_walker_goes_to_its_stops_and_stays():
         nearest = np.minimum(nearest, np.linalg.norm(planner.stops[0] - sim.snapshot().com[0, :2], axis=1))
     assert nearest.max() < 0.6 and sim.crowd.reached[0] == 2 and sim.crowd.standing[0]
     assert np.linalg.norm(sim.snapshot().com[0, :2] - (3, 9)) < 0.5
+
+
+def there(x, y, stops, reached=0, again=False, trees=()):
+    """Whether a walker from 2, 5 that is at x, y has come to its stop."""
+    world = World("plain", (12.0, 12.0), trees=np.array(trees).reshape(-1, 3))
+    plans = WalkTo([(2, 5, 0.0)], [stops], again=again).prepare(world, [BIRD], np.zeros((1, 2, 5)), np.zeros(1), 1)
+    return plan.is_there(BIRD.record, world.arrays, plans, 0, reached, 0, x, y)
+
+
+def test_a_stop_on_the_way_that_lies_behind_is_reached():
+    on = [(6, 5), (10, 5)]
+    assert there(6.3, 8, on) and not there(5.7, 8, on)
+    assert not there(6.3, 8, on, trees=[(7.5, 7.0, 0.5)])  # the way on is not free: only the stop leads around
+    assert not there(6.3, 8, on[:1]), "the last stop is not on the way"
+    assert not there(6.0, 5.0, [(6, 5), (3, 5)], reached=1, again=True), "nor is where one turns back"
+    assert there(2.9, 8, [(6, 5), (3, 5)], reached=1, again=True)
+
+
+def test_nobody_slows_down_for_a_stop_on_the_way():
+    sim, speed = Simulation(World("plain", (12.0, 10.0)), [BIRD], WalkTo([(2, 5, 0.0)], [[(6, 5), (10.5, 5)]])), []
+    while sim.com()[0, 0] < 8:
+        sim.tick()
+        speed.append(60 * (sim.com()[0, 0] - sim.com(sim.time - 1 / 60)[0, 0]) if sim.com()[0, 0] > 4 else np.inf)
+    walking = [v for v in speed if v < np.inf]
+    assert min(walking) > 0.8 * np.mean(walking)
 
 
 def test_a_walker_may_begin_again():
