@@ -33,7 +33,7 @@ class Plans(NamedTuple):
     route_begin: np.ndarray  # (C,) number of the step to the route's first footprint
     route_length: np.ndarray  # (C,)
     route: np.ndarray  # (C, R, 4) side, x, y, heading (unwrapped)
-    begin: np.ndarray  # (C, 2) where a walker sets out
+    start: np.ndarray  # (C, 2) where a walker sets out
     stops: np.ndarray  # (C, P, 2) places to walk to, one after the other
     again: np.ndarray  # (C,) bool: from the last stop on to the first
     near: np.ndarray  # (C,) a stop on the way is reached within this distance [m]
@@ -116,7 +116,7 @@ def stop_of(plans, c, reached):
 
 
 @jit_borrowing
-def stays(plans, c, reached):
+def is_last_stop(plans, c, reached):
     """Whether the stop that character c walks to is its last."""
     return not plans.again[c] and reached >= plans.stops.shape[1] - 1
 
@@ -125,10 +125,10 @@ def stays(plans, c, reached):
 def is_there(b, w, plans, c, reached, hindered, x, y):
     """Whether character c, whose middle is at x, y, has come to the stop that it walks to, or past it on its way."""
     stop = stop_of(plans, c, reached)
-    near = (THERE + CONTENT * min(hindered, PATIENT)) * b.preferred_step if stays(plans, c, reached) else plans.near[c]
-    return hypot(plans.stops[c, stop, 0] - x, plans.stops[c, stop, 1] - y) < near or (
-        not stays(plans, c, reached) and _is_past(b, w, plans, c, reached, x, y)
-    )
+    far = hypot(plans.stops[c, stop, 0] - x, plans.stops[c, stop, 1] - y)
+    if is_last_stop(plans, c, reached):
+        return far < (THERE + CONTENT * min(hindered, PATIENT)) * b.preferred_step
+    return far < plans.near[c] or _is_past(b, w, plans, c, reached, x, y)
 
 
 @jit_borrowing
@@ -137,7 +137,7 @@ def _is_past(b, w, plans, c, reached, x, y):
 
     Whom others have pushed past a stop does not come back for it: behind a gap, that would block it.
     """
-    stop, from_x, from_y = stop_of(plans, c, reached), plans.begin[c, 0], plans.begin[c, 1]
+    stop, from_x, from_y = stop_of(plans, c, reached), plans.start[c, 0], plans.start[c, 1]
     if reached > 0:
         before = stop_of(plans, c, reached - 1)
         from_x, from_y = plans.stops[c, before, 0], plans.stops[c, before, 1]
@@ -173,7 +173,7 @@ def next_footprint(b, w, plans, c, seed, step, reached, hindered, side, position
     x, y = middle_of(b, side[1], position[1, 0], position[1, 1], heading[1])
     if plans.mode[c] == WALK:
         there = is_there(b, w, plans, c, reached, hindered, x, y)
-        if there and stays(plans, c, reached):
+        if there and is_last_stop(plans, c, reached):
             return stay(side[0], position[0], heading[0], normal[0], rock[0], STAND_TIME)
         stop = stop_of(plans, c, reached + there)
         x, y, ahead = walk_step(b, w, x, y, heading[1], plans.stops[c, stop], seed, c)

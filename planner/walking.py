@@ -11,8 +11,8 @@ class WalkTo:
     """Characters that walk to places, and stay at the last or begin `again`.
 
     starts (C, 3): x, y, heading [m, rad]. stops (C, P, 2): the places in turn [m]. near [m]: how close is close enough on the
-    way; the last place is reached more closely, unless others stand on it. Ways are straight but for what lies near: a maze
-    needs stops along its way.
+    way; whoever was pushed past a place, with a free way to the next one, has reached it too. The last place is reached more
+    closely, unless others stand on it. Ways are straight but for what lies near: a maze needs stops along its way.
     """
 
     def __init__(self, starts, stops, again: bool = False, near: float = 0.5) -> None:
@@ -32,4 +32,4 @@ class WalkTo:
         """Plans for all; a stop that was reached stays reached."""
         plans = plan.plans_of(plan.WALK, len(characters), 1, 1)
         plans.again[:], plans.near[:] = self.again, self.near
-        return plans._replace(begin=self.places[:, :2].copy(), stops=self.stops)
+        return plans._replace(start=self.places[:, :2].copy(), stops=self.stops)

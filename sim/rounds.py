@@ -92,7 +92,8 @@ def _reach_stop(crowd, b, w, plans, c, n):
     """Counts the stop that a walker has come to, unless it is the last one to stay at."""
     x, y = crowd.position[c, n - 1, 0], crowd.position[c, n - 1, 1]
     x, y = plan.middle_of(b, crowd.side[c, n - 1], x, y, crowd.heading[c, n - 1])
-    if not plan.stays(plans, c, crowd.reached[c]) and plan.is_there(b, w, plans, c, crowd.reached[c], crowd.hindered[c], x, y):
+    reached = crowd.reached[c]
+    if not plan.is_last_stop(plans, c, reached) and plan.is_there(b, w, plans, c, reached, crowd.hindered[c], x, y):
         crowd.reached[c] += 1
 
 
