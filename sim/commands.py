@@ -114,7 +114,7 @@ def _show(options, make, names: list[str], saved: str | None = None) -> int:
         print(f"Ready after {time.perf_counter() - begin:.1f} s.", file=sys.stderr, flush=True)
     if options.headless or not _has_display():
         return _headless(options, sim)
-    from sim.view.app import run_window
+    from sim.view.window import run_window
 
     return run_window(make, sim, options, names)
 

@@ -6,6 +6,7 @@ import os
 import numpy as np
 
 from sim.cast import Cast
+from sim.view.app import FRAME, App
 from sim.view.trail import Trail
 
 GRASS, WATER, TREE, STONE = (119, 146, 84), (64, 118, 130), (58, 88, 48), (143, 141, 136)
@@ -50,3 +51,28 @@ def plan_picture(sim: Cast, size: tuple[int, int]) -> np.ndarray:
     surface = pygame.Surface(size)
     draw_plan(surface, sim, Trail(most=400), sim.com()[0, :2], 16.0)
     return np.ascontiguousarray(pygame.surfarray.array3d(surface).swapaxes(0, 1))
+
+
+class PlanScreen:
+    """The window without OpenGL."""
+
+    def __init__(self, pygame, size: tuple[int, int]) -> None:
+        self.pygame, self.size = pygame, size
+        self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+        self.trail = Trail(most=400)
+        pygame.display.set_caption("Footfall (plan view)")
+
+    def takes(self, event) -> bool:
+        """No panel, so no event is taken."""
+        return False
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """The window has another size."""
+        self.size = size
+
+    def draw(self, app: App) -> None:
+        """One frame."""
+        app.camera.plan = True
+        app.camera.follow_point(app.sim.com()[app.focus], FRAME)
+        draw_plan(self.surface, app.sim, self.trail, np.asarray(app.camera.target[:2]), 3.0 * app.camera.distance)
+        self.pygame.display.flip()

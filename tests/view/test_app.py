@@ -97,7 +97,7 @@ def test_real_events_drive_a_window(monkeypatch, app):
     gl.prefer_egl_without_display()
     import pygame
 
-    from sim.view.app import PlanScreen, _open_screen, handle
+    from sim.view.window import PlanScreen, _open_screen, handle
 
     pygame.display.init()
     try:
