@@ -2,7 +2,7 @@
 
 Each candidate (planner.candidates) costs
 
-    |v - v_wanted| / |v_preferred| + TURN |heading - wanted heading| + CAUTION (1 / ttc - 1 / FORESIGHT)
+    |v - v_wanted| / |v_preferred| + TURN |heading - facing| + CAUTION (1 / ttc - 1 / FORESIGHT)
 
 with ttc the predicted time to collision with anyone, who goes on as its tentative footprints say (the sampled form of
 reciprocal velocity obstacles; van den Berg, Lin & Manocha 2008). The cheapest candidate that is clear of trees and of what
@@ -10,7 +10,7 @@ others hold is taken. Standing is always clear.
 
 Where the wish runs into someone, one looks for a way around (planner.way_around), and those who get on badly have the right of
 way (planner.right_of_way): the others expect them to come. They also grow impatient: they come nearer to others, staying in
-place costs more, and chance has a say.
+place costs more, chance has a say, and short steps are quick ones.
 """
 
 from math import atan2, cos, hypot, inf, pi, sin
@@ -19,16 +19,20 @@ import numpy as np
 
 from motion.jit import jit, jit_borrowing
 from planner import plan, random, reservations
-from planner.candidates import CANDIDATES, CLOSING, SMALL, candidate, step_to, walker
-from planner.foresight import OTHER, danger, foresee
+from planner.candidates import CANDIDATES, CLOSING, SMALL, candidate, pace, step_to, walker
+from planner.foresight import OTHER, danger, foresee, is_leader, time_to_collision
 from planner.plan import PATIENT
 from planner.right_of_way import inherited, of_higher_rank, rank_of
 from planner.wander import free_way
-from planner.way_around import LEFT, way_around
+from planner.way_around import LEFT, keep_right, way_around
 from worlds import queries
 
-TURN = 0.25
-"""Cost of a radian off the wanted heading."""
+TURN, ON_THE_SPOT = 0.5, 0.3
+"""Cost of a radian off the facing: the wanted heading, or the wished one in steps shorter than this share of the preferred."""
+STRAIGHT = 0.05
+"""So much [rad] off the wished way is still the wished way."""
+FOLLOW = 1.0
+"""Who would run into one of the same way before it within this time [s] claims to go slower."""
 ASIDE = 0.1
 """Cost of going left, for every step that did not get on."""
 STAND = 0.15
@@ -41,7 +45,7 @@ FOOT_MARGIN = 0.01
 """Room kept between soles [m]."""
 CROWDED = 64
 """More others than this in reach, and one stands."""
-YIELD_TIME = 0.3
+YIELD_TIME = 0.2
 """Who stands because others are in the way plans again after this time [s]."""
 
 
@@ -69,13 +73,18 @@ def is_free(w, r, me, near, step):
 
 
 @jit_borrowing
+def _turned_to(b, me, way):
+    """The heading of one who turns to a way [rad], as far as a step allows."""
+    turn = (way - me.heading + pi) % (2 * pi) - pi
+    return me.heading + min(max(turn, -b.max_turn), b.max_turn)
+
+
+@jit_borrowing
 def _costs(b, w, r, me, wish, others, seed, step_number, cost):
     """Fills cost (CANDIDATES + 1,): of the wish, of the candidates, and last of standing, as if only `others` were there."""
-    wanted = way_around(b, w, r, me, wish, others)
-    speed = hypot(wish.x - me.x, wish.y - me.y) / wish.time
-    wx, wy = speed * cos(wanted), speed * sin(wanted)
-    turned = (wanted - wish.heading + pi) % (2 * pi) - pi
-    facing = wish.heading + (turned if speed > 0 else 0.0)
+    wanted = way_around(b, w, r, me, others)
+    wx, wy = me.full * cos(wanted), me.full * sin(wanted)
+    ahead, onward = _turned_to(b, me, wanted), _turned_to(b, me, me.way)
     impatience = min(me.hindered, PATIENT)
     for k in range(CANDIDATES + 1):
         step = candidate(b, me, wish, k)
@@ -84,7 +93,7 @@ def _costs(b, w, r, me, wish, others, seed, step_number, cost):
             vx, vy = 0.0, 0.0
         cost[k] = (
             hypot(vx - wx, vy - wy) / me.full
-            + TURN * abs(step.heading - facing)
+            + TURN * abs(step.heading - (ahead if hypot(vx, vy) * step.time >= ON_THE_SPOT * b.preferred_step else onward))
             + LEFT * max(step.heading - max(me.heading, wish.heading), 0.0)
         )
         cost[k] += danger(others, vx, vy)
@@ -97,30 +106,42 @@ def _costs(b, w, r, me, wish, others, seed, step_number, cost):
 
 
 @jit_borrowing
+def _queueing_speed(me, others):
+    """How fast one could go its way behind those before it [m/s]."""
+    ux, uy, speed = cos(me.way), sin(me.way), me.full
+    for o in others:
+        if o[2] < inf and o[5] * ux + o[6] * uy > 0 and o[0] * ux + o[1] * uy > 0 and is_leader(o):
+            time = time_to_collision(o[0], o[1], o[2] - me.full * ux, o[3] - me.full * uy, o[4])
+            speed = min(speed, me.full * time / FOLLOW)
+    return speed
+
+
+@jit_borrowing
 def _claim(b, w, r, me, wish, rank, others, scratch, seed, step_number, claim):
-    """Sets claim (3,): the wish, or the step out of the way of a higher claim; and with which rank."""
+    """Sets claim (3,): the velocity on the wished way, or out of the way of a higher claim; and with which rank."""
     higher, cost = scratch
-    length = hypot(wish.x - me.x, wish.y - me.y)
-    claim[0], claim[1], claim[2] = length * cos(wish.heading), length * sin(wish.heading), inherited(others, rank)
+    speed = _queueing_speed(me, others)
+    claim[0], claim[1], claim[2] = speed * cos(me.way), speed * sin(me.way), inherited(others, rank)
     if claim[2] > rank:
         count = of_higher_rank(others, higher)
         _costs(b, w, r, me, wish, higher[:count], seed, step_number, cost)
         k = np.argmin(cost)
         if k < CANDIDATES:
             step = candidate(b, me, wish, k)
-            claim[0], claim[1] = step.x - me.x, step.y - me.y
+            claim[0], claim[1] = (step.x - me.x) / step.time, (step.y - me.y) / step.time
 
 
 @jit_borrowing
-def choose(b, w, r, me, wish, near, scratch, seed, step_number, claim):
+def choose(b, w, r, me, wish, straight, near, scratch, seed, step_number, claim):
     """The best candidate that is free; 0 is the wish, CANDIDATES is standing.
 
-    Whoever goes somewhere and cannot have its wish sets its claim.
+    The wish is for those whose way is `straight`. Whoever goes somewhere and cannot have its wish sets its claim.
     """
     others, higher, cost = scratch
-    rank = rank_of(r, me, near, wish.heading)
+    rank = rank_of(r, me, near, me.way)
     foresee(r, me, near, rank, others)
-    if danger(others, (wish.x - me.x) / wish.time, (wish.y - me.y) / wish.time) == 0 and is_free(w, r, me, near, wish):
+    safe = danger(others, (wish.x - me.x) / wish.time, (wish.y - me.y) / wish.time) == 0
+    if straight and safe and is_free(w, r, me, near, wish):
         return 0
     if me.goes:
         _claim(b, w, r, me, wish, rank, others, (higher, cost), seed, step_number, claim)
@@ -148,18 +169,23 @@ def make_way(
     count = reservations.neighbours(r, c, r.reach, near)
     if count == 0:
         return wished, 0
-    me = walker(b, w, c, side, position, heading, contact_time, overlap, hindered, goes)
+    way = wished.way
+    if goes and count > 0:
+        x, y = plan.middle_of(b, side[1], position[1, 0], position[1, 1], heading[1])
+        way = keep_right(b, w, r, c, near[:count], x, y, way)
+    me = walker(b, w, c, side, position, heading, contact_time, overlap, hindered, way, goes)
     x, y = plan.middle_of(b, wished.side, wished.x, wished.y, wished.heading)
     wish, k = step_to(b, me, x, y, wished.heading), CANDIDATES
     if count > 0:
         scratch = np.empty((count, OTHER)), np.empty((count, OTHER)), np.empty(CANDIDATES + 1)
-        k = choose(b, w, r, me, wish, near[:count], scratch, seed, step_number, claim)
+        straight = abs(way - wished.way) < STRAIGHT
+        k = choose(b, w, r, me, wish, straight, near[:count], scratch, seed, step_number, claim)
     if k == 0:
-        return wished, _hindered(b, me, wish, wish) if goes else max(hindered - 1, 0)
+        return plan.hurried(wished, pace(hindered)), _hindered(b, me, wish, wish) if goes else max(hindered - 1, 0)
     if k == CANDIDATES:
         return plan.stay(side[0], position[0], heading[0], normal[0], rock[0], YIELD_TIME), hindered + 1
     step = candidate(b, me, wish, k)
-    return plan.put(b, w, me.side, step.foot_x, step.foot_y, step.heading), _hindered(b, me, wish, step)
+    return plan.put(b, w, me.side, step.foot_x, step.foot_y, step.heading, way, pace(hindered)), _hindered(b, me, wish, step)
 
 
 @jit_borrowing

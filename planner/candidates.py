@@ -38,6 +38,7 @@ class Walker(NamedTuple):
     margin: float  # kept from trees [m]
     full: float  # speed when nothing hinders [m/s]
     hindered: int  # steps that did not get on
+    way: float  # where it wishes to go [rad]
     goes: bool  # somewhere: it claims a right of way
 
 
@@ -53,22 +54,30 @@ class Step(NamedTuple):
 
 
 @jit_borrowing
-def walker(b, w, c, side, position, heading, contact_time, overlap, hindered, goes):
+def walker(b, w, c, side, position, heading, contact_time, overlap, hindered, way, goes):
     x, y = plan.middle_of(b, side[1], position[1, 0], position[1, 1], heading[1])
     rest_x, rest_y = 0.5 * (position[0, 0] + position[1, 0]), 0.5 * (position[0, 1] + position[1, 1])
     margin = min(b.body_radius + MARGIN, queries.clearance(w, x, y))
     full = b.preferred_step / timing.step_timing(b, b.preferred_step, 0.0, 0.0, False)[0]
     return Walker(
         c, 1 - side[1], position[1, 0], position[1, 1], x, y, heading[1], rest_x, rest_y, contact_time,
-        contact_time + reservations.lag(b), overlap, margin, full, hindered, goes,
+        contact_time + reservations.lag(b), overlap, margin, full, hindered, way, goes,
     )  # fmt: skip
+
+
+@jit_borrowing
+def pace(hindered):
+    """Longest step time [pendulum times] of one whom others kept from getting on for so many steps."""
+    return timing.HURRIED if hindered > 0 else timing.LONGEST_STEP
 
 
 @jit_borrowing
 def step_to(b, me, x, y, heading):
     """The step to a middle, timed as on level ground: rises only make it later."""
     fx, fy = plan.beside(b, me.side, x, y, heading)
-    time, _ = timing.step_timing(b, hypot(fx - me.foot_x, fy - me.foot_y), 0.0, abs(heading - me.heading), False)
+    time, _ = timing.step_timing(
+        b, hypot(fx - me.foot_x, fy - me.foot_y), 0.0, abs(heading - me.heading), False, pace(me.hindered)
+    )
     return Step(x, y, heading, fx, fy, max(time, timing.least_step_time(b, me.overlap)))
 
 

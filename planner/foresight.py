@@ -1,6 +1,6 @@
 """What others will do, as far as one can tell from what they have published, and when one would run into them."""
 
-from math import hypot, inf, sqrt
+from math import cos, hypot, inf, sin, sqrt
 
 from motion.jit import jit_borrowing
 from planner import reservations
@@ -12,15 +12,14 @@ FORESIGHT = 2.0
 CAUTION = 1.0
 """Weight of an early collision [s]: more swerves earlier and wider."""
 SPACE = 1.08
-"""Distance wanted between bodies, in what is kept; the impatient come nearer, down to that."""
-EAGER = 0.3
-"""Who stands for others is expected to go where it wishes at this share of the full speed, as soon as it can: one queues behind
-those of the same way, and turns aside for those who come."""
+"""Distance wanted between bodies, in what is kept; the impatient come nearer, down to that. Never more than there is."""
 LEAST_TIME = 0.1
 """Collisions sooner than this [s] cost no more, and velocities are not told from less."""
-OTHER = 8
-"""Numbers foreseen of another: x, y, velocity, room to keep, wished direction, and the rank of its claim (-inf: no more than
-one's own)."""
+AGAINST = -0.5
+"""The cosine between two wishes from which on they are against each other."""
+OTHER = 9
+"""Numbers foreseen of another: x, y, velocity (inf: it gives way), room to keep, wished direction, the rank of its claim (-inf:
+no more than one's own), and the speed that it claims."""
 
 
 @jit_borrowing
@@ -39,18 +38,40 @@ def time_to_collision(px, py, vx, vy, apart):
 @jit_borrowing
 def foresee(r, me, near, rank, others):
     """Fills others (K, OTHER), places relative to me, as my last footprint lands; `rank` is mine (planner.right_of_way)."""
+    ux, uy = cos(me.way), sin(me.way)
     for i, j in enumerate(near):
         o = others[i]
         _where_it_goes(r, me, j, o)
-        aim, push = hypot(r.aim[j, 0], r.aim[j, 1]), hypot(r.claim[j, 0], r.claim[j, 1])
-        o[5], o[6] = (r.aim[j, 0] / aim, r.aim[j, 1] / aim) if aim > 0 else (0.0, 0.0)
-        o[7] = r.claim[j, 2] if r.claim[j, 2] > rank and push > 0 else -inf
-        if o[7] > rank and hypot(o[2], o[3]) < me.full:
-            o[2], o[3] = me.full * r.claim[j, 0] / push, me.full * r.claim[j, 1] / push
-        elif aim > 0 and hypot(o[2], o[3]) < EAGER * me.full:
-            o[2], o[3] = EAGER * me.full * o[5], EAGER * me.full * o[6]
+        o[5], o[6], o[7], o[8] = r.aim[j, 0], r.aim[j, 1], -inf, hypot(r.claim[j, 0], r.claim[j, 1])
+        if gives_way(r, me, rank, ux, uy, j, o):
+            o[2], o[3] = inf, inf
+        elif r.claim[j, 2] > rank and o[8] > 0:
+            o[7] = r.claim[j, 2]
+            if hypot(o[2], o[3]) < me.full:
+                o[2], o[3] = r.claim[j, 0], r.claim[j, 1]
         space = SPACE + (1 - SPACE) * min(me.hindered, PATIENT) / PATIENT
-        o[4] = space * (r.room[me.c] + r.room[j])
+        o[4] = min(space * (r.room[me.c] + r.room[j]), hypot(o[0], o[1]))
+
+
+@jit_borrowing
+def gives_way(r, me, rank, ux, uy, j, o):
+    """Whether j, who does not come against my way (ux, uy), lets me go first.
+
+    Those behind look out for those before them, as in a queue. Who have each other before them converge: the lower rank waits.
+    """
+    if hypot(o[5], o[6]) == 0 or o[5] * ux + o[6] * uy < AGAINST:
+        return False
+    if o[0] * ux + o[1] * uy <= 0:
+        return True
+    if is_leader(o):
+        return False
+    return r.claim[j, 2] < rank or (r.claim[j, 2] == rank and j > me.c)
+
+
+@jit_borrowing
+def is_leader(o):
+    """Whether another has me behind it."""
+    return o[0] * o[5] + o[1] * o[6] >= 0
 
 
 @jit_borrowing
@@ -66,9 +87,10 @@ def _where_it_goes(r, me, j, o):
 
 @jit_borrowing
 def soonest(others, vx, vy, horizon):
-    """When a velocity leads to a collision, at most `horizon` [s]."""
+    """When a velocity leads to a collision with one who does not give way, at most `horizon` [s]."""
     for o in others:
-        horizon = min(horizon, time_to_collision(o[0], o[1], o[2] - vx, o[3] - vy, o[4]))
+        if o[2] < inf:
+            horizon = min(horizon, time_to_collision(o[0], o[1], o[2] - vx, o[3] - vy, o[4]))
     return horizon
 
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.jit import jit_borrowing
-from planner import placing, random
+from planner import placing, random, timing
 from planner.wander import free_way, walk_step, wander_step
 from worlds import queries
 
@@ -52,6 +52,8 @@ class Placed(NamedTuple):
     nz: float
     rock: int  # -1 on land
     stands: bool  # the foot stays where it is
+    way: float  # [rad] where it goes on to: it cannot turn at once
+    longest: float  # step time of a walk, in pendulum times
     wait: float  # [s] until the next plan, where it stands
 
 
@@ -71,11 +73,11 @@ def plans_of(mode: int, characters: int, routes: int = 0, stops: int = 0) -> Pla
 
 
 @jit_borrowing
-def put(b, w, side, x, y, heading):
-    """Footprint of foot `side` whose sole's middle is at x, y: on a rock or the terrain."""
+def put(b, w, side, x, y, heading, way, longest):
+    """Footprint of foot `side` whose sole's middle is at x, y: on a rock or the terrain; see Placed."""
     rock = queries.rock_under(w, x, y, placing.EDGE)
     z, nx, ny, nz = placing.lay_sole(b, w, x, y, heading, rock)
-    return Placed(side, x, y, z, heading, nx, ny, nz, rock, False, 0.0)
+    return Placed(side, x, y, z, heading, nx, ny, nz, rock, False, way, longest, 0.0)
 
 
 @jit_borrowing
@@ -95,7 +97,16 @@ def beside(b, side, x, y, heading):
 @jit_borrowing
 def stay(side, position, heading, normal, rock, wait):
     """The foot stands where it is for another `wait` [s]."""
-    return Placed(side, position[0], position[1], position[2], heading, normal[0], normal[1], normal[2], rock, True, wait)
+    return Placed(
+        side, position[0], position[1], position[2], heading, normal[0], normal[1], normal[2], rock, True, heading,
+        timing.LONGEST_STEP, wait,
+    )  # fmt: skip
+
+
+@jit_borrowing
+def hurried(f, longest):
+    """The same footprint, in another longest step time."""
+    return Placed(f.side, f.x, f.y, f.z, f.heading, f.nx, f.ny, f.nz, f.rock, f.stands, f.way, longest, f.wait)
 
 
 @jit_borrowing
@@ -105,7 +116,8 @@ def scripted(b, w, script, k, track):
     if script.wait[k] > 0:
         rock = queries.rock_under(w, track.position[n - 2, 0], track.position[n - 2, 1], placing.EDGE)
         return stay(script.side[k], track.position[n - 2], track.heading[n - 2], track.normal[n - 2], rock, script.wait[k])
-    return put(b, w, script.side[k], script.place[k, 0], script.place[k, 1], script.heading[k])
+    heading = script.heading[k]
+    return put(b, w, script.side[k], script.place[k, 0], script.place[k, 1], heading, heading, timing.LONGEST_STEP)
 
 
 @jit_borrowing
@@ -169,15 +181,15 @@ def next_footprint(b, w, plans, c, seed, step, reached, hindered, side, position
         return stay(side[0], position[0], heading[0], normal[0], rock[0], wait)
     if plans.mode[c] == ROUTE:
         f = plans.route[c, number]
-        return put(b, w, int(f[0]), f[1], f[2], f[3])
+        return put(b, w, int(f[0]), f[1], f[2], f[3], f[3], timing.LONGEST_STEP)
     x, y = middle_of(b, side[1], position[1, 0], position[1, 1], heading[1])
     if plans.mode[c] == WALK:
         there = is_there(b, w, plans, c, reached, hindered, x, y)
         if there and is_last_stop(plans, c, reached):
             return stay(side[0], position[0], heading[0], normal[0], rock[0], STAND_TIME)
         stop = stop_of(plans, c, reached + there)
-        x, y, ahead = walk_step(b, w, x, y, heading[1], plans.stops[c, stop], seed, c)
+        x, y, ahead, way = walk_step(b, w, x, y, heading[1], plans.stops[c, stop], seed, c)
     else:
-        x, y, ahead = wander_step(b, w, x, y, heading[1], seed, c, step)
+        x, y, ahead, way = wander_step(b, w, x, y, heading[1], seed, c, step)
     x, y = beside(b, 1 - side[1], x, y, ahead)
-    return put(b, w, 1 - side[1], x, y, ahead)
+    return put(b, w, 1 - side[1], x, y, ahead, way, timing.LONGEST_STEP)

@@ -22,7 +22,7 @@ COMMITTED, TENTATIVE = 3, 3
 """Points of a way: up to the rest, and beyond it."""
 LAG = 0.36
 """How much later than a foot lands the body comes to the middle between the feet, in pendulum times: as measured."""
-STRAY = 0.66
+STRAY = 0.68
 """How far the com strays from its way, in step widths: more keeps bodies apart in a throng, less lets them through a gap."""
 STRIDES = 6.0
 """How far one looks for others, in preferred steps beyond two bodies' radii."""
@@ -34,8 +34,8 @@ class Reservations(NamedTuple):
     due: np.ndarray  # (C,) when the character must have planned its next footprint
     foot: np.ndarray  # (C, FEET, 3) x, y, until when the disc is held
     way: np.ndarray  # (C, COMMITTED + TENTATIVE, 3) x, y of the body's middle, when it is there
-    aim: np.ndarray  # (C, 2) the next step it would take if nobody were there [m]
-    claim: np.ndarray  # (C, 3) ... if nobody of lower rank were there [m], and its rank (planner.right_of_way)
+    aim: np.ndarray  # (C, 2) unit vector of the way that it would go if nobody were there; 0, 0 where it stays
+    claim: np.ndarray  # (C, 3) velocity it would take if nobody of lower rank were there [m/s], its rank (planner.right_of_way)
     foot_radius: np.ndarray  # (C,) half the sole's diagonal
     room: np.ndarray  # (C,) the body's radius, and how far the com strays from its way [m]
     reach: float  # how far one looks for others, at most the edge of a cell

@@ -12,9 +12,8 @@ A rank grows for as long as one does not get on, and falls step by step when one
 from math import cos, hypot, inf, sin
 
 from motion.jit import jit_borrowing
-from planner.foresight import OTHER, time_to_collision
+from planner.foresight import AGAINST, OTHER, time_to_collision
 from planner.reservations import COMMITTED
-from planner.way_around import AGAINST
 
 BELONGS = 8.0
 """Rank of having all who come against one on the left, in steps that did not get on; on the right, the same less."""
@@ -28,8 +27,8 @@ def rank_of(r, me, near, wished):
     ux, uy, left, count, rest = cos(wished), sin(wished), 0.0, 0, COMMITTED - 1
     for j in near:
         x, y = r.way[j, rest, 0] - me.rest_x, r.way[j, rest, 1] - me.rest_y
-        far, aim = hypot(x, y), hypot(r.aim[j, 0], r.aim[j, 1])
-        if r.aim[j, 0] * ux + r.aim[j, 1] * uy < AGAINST * aim and far > 0:
+        far = hypot(x, y)
+        if r.aim[j, 0] * ux + r.aim[j, 1] * uy < AGAINST and far > 0:
             left += (ux * y - uy * x) / far
             count += 1
     return me.hindered + (BELONGS * left / count if count > 0 else 0.0)

@@ -20,6 +20,8 @@ RUNNING_DUTY = 0.344
 SHORTEST_STEP = 0.75
 LONGEST_STEP = 2.2
 """Step time of a walk in pendulum times sqrt(h / g): shorter is scurrying, longer is dawdling."""
+HURRIED = 1.3
+"""Longest step time of those whom others hinder: in a throng, short steps are quick ones."""
 LEAST_SWING = 0.9
 """Shortest time for a swing, in pendulum times."""
 PUSH, LEAST_PUSH, COVER = 0.9, 0.5, 1.3
@@ -73,17 +75,18 @@ def _snap(step, stance):
 
 
 @jit_borrowing
-def step_timing(b, length, rise, turn, same_side):
+def step_timing(b, length, rise, turn, same_side, longest=LONGEST_STEP):
     """(step time, stance time) [s] of the footprint that a step leaves.
 
-    length [m] horizontal, rise [m], turn [rad] >= 0; a hop on the same side is a leap of any length.
+    length [m] horizontal, rise [m], turn [rad] >= 0; a hop on the same side is a leap of any length. longest: step time of a
+    walk, in pendulum times.
     """
     unit = pendulum_time(b)
     slower = 1 + b.turn_slowdown * turn + b.rise_slowdown * abs(rise) / b.hip_height
     if length > b.leap_length or same_side:
         return _leap(b, length, rise, slower)
     v = speed(max(length, 1e-3), b.hip_height)
-    step = min(max(length / v, SHORTEST_STEP * unit), LONGEST_STEP * unit) * slower
+    step = min(max(length / v, SHORTEST_STEP * unit), longest * unit) * slower
     froude = (length / step) ** 2 / (GRAVITY * b.hip_height)
     return step, _snap(step, 2 * duty_factor(froude, b.gait_smoothness, b.walking_duty) * step)
 

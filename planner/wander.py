@@ -64,18 +64,18 @@ def clear_heading(w, x, y, wanted, margin, look, right_first):
 
 @jit_borrowing
 def step_toward(b, w, x, y, heading, wanted, look, right_first):
-    """Next middle (x, y) and heading: a step toward the nearest clear heading, shorter where it turns."""
+    """Next middle (x, y), heading and way: a step toward the nearest clear heading, shorter where it turns."""
     margin = min(b.body_radius + MARGIN, queries.clearance(w, x, y) - 0.01)
     offset, _ = clear_heading(w, x, y, wanted, margin, look, right_first)
     turn = min(max(wanted + offset - heading, -b.max_turn), b.max_turn)
     free = free_way(w, x, y, heading + turn, margin, b.preferred_step)
     length = min(b.preferred_step * max(1 - 0.5 * abs(turn) / b.max_turn, 0.3), free)
-    return x + length * cos(heading + turn), y + length * sin(heading + turn), heading + turn
+    return x + length * cos(heading + turn), y + length * sin(heading + turn), heading + turn, wanted + offset
 
 
 @jit_borrowing
 def wander_step(b, w, x, y, heading, seed, character, step):
-    """Next middle (x, y) and heading of the walker whose middle is at x, y: one step of wandering."""
+    """Next middle (x, y), heading and way of the walker whose middle is at x, y: one step of wandering."""
     wanted = heading + drift(seed, character, step)
     look = b.preferred_step * LOOK_STEPS * (1 + random.uniform(seed, character, step // 4, random.LOOK))
     right_first = random.uniform(seed, character, step // 12, random.SIDE) < 0.5
@@ -84,12 +84,12 @@ def wander_step(b, w, x, y, heading, seed, character, step):
 
 @jit_borrowing
 def walk_step(b, w, x, y, heading, stop, seed, character):
-    """Next middle (x, y) and heading of the walker whose middle is at x, y, on its way to stop (2,), not beyond it."""
+    """Next middle (x, y), heading and way of the walker whose middle is at x, y, on its way to stop (2,), not beyond it."""
     dx, dy = stop[0] - x, stop[1] - y
     far = hypot(dx, dy)
     wanted = heading + (atan2(dy, dx) - heading + pi) % (2 * pi) - pi
     right_first = random.uniform(seed, character, 0, random.SIDE) < 0.5
     look = min(b.preferred_step * LOOK_STEPS, far)
-    nx, ny, ahead = step_toward(b, w, x, y, heading, wanted, look, right_first)
+    nx, ny, ahead, way = step_toward(b, w, x, y, heading, wanted, look, right_first)
     share = min(far / max(hypot(nx - x, ny - y), 1e-9), 1.0)
-    return x + share * (nx - x), y + share * (ny - y), ahead
+    return x + share * (nx - x), y + share * (ny - y), ahead, way

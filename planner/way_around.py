@@ -2,21 +2,52 @@
 
 It is the heading that comes nearest to a place LOOK ahead on the wished way when one goes as far as it is free (Moussaid,
 Helbing & Theraulaz 2011), and that has on its left those who come the other way: so streams part into lanes before they meet.
+Nobody goes around those of its own way who are held up: one queues behind them.
 """
 
-from math import cos, inf, pi, sin
+from math import atan2, cos, inf, pi, sin
 
 from motion.jit import jit_borrowing
-from planner.foresight import soonest
-from planner.wander import free_way
+from planner.foresight import AGAINST, time_to_collision
+from planner.wander import MARGIN, free_way
+from worlds import queries
 
 LEFT = 0.3
 """Cost of a radian to the left: who meet head-on pass on the right."""
 LOOK, FAN = 5.0, 6
 """How far one looks for a way around, in preferred steps, and for headings to either side, over a right angle."""
-KEEP_RIGHT, WIDE, AGAINST = 1.0, 3.0, -0.5
-"""Weight of having those who come against one on the left; how far to the right they count, in distances between bodies; the
-cosine between two wishes from which on they are against each other."""
+KEEP_RIGHT, WIDE = 1.0, 3.0
+"""Weight of having those who come against one on the left; how far to the right they count, in distances between bodies."""
+NARROW, NARROW_AHEAD = 5.0, 7
+"""Places narrower than this, in distances between bodies, are passed on the right; looked for so many steps ahead."""
+QUEUES = 0.5
+"""The cosine between two wishes from which on one queues behind who is held up, instead of going around."""
+
+
+@jit_borrowing
+def keep_right(b, w, r, me_c, near, x, y, way):
+    """The way [rad] from a middle at x, y to the right half of the narrowest place ahead, where anyone comes against it.
+
+    So lanes are agreed on before the place is full. What is free on both sides of a point of the way is measured across it.
+    """
+    ux, uy, comes = cos(way), sin(way), False
+    for j in near:
+        comes |= r.aim[j, 0] * ux + r.aim[j, 1] * uy < AGAINST
+    if not comes:
+        return way
+    room, margin = r.room[me_c], min(b.body_radius + MARGIN, queries.clearance(w, x, y)) - 0.01
+    least, aside = 2 * NARROW * room, 0.0
+    for i in range(NARROW_AHEAD):
+        ahead = i * b.preferred_step
+        px, py = x + ahead * ux, y + ahead * uy
+        if queries.clearance(w, px, py) < margin:
+            break
+        right = free_way(w, px, py, way - 0.5 * pi, margin, 2 * NARROW * room)
+        left = free_way(w, px, py, way + 0.5 * pi, margin, 2 * NARROW * room)
+        if right + left < least:
+            least = right + left
+            aside = atan2(min(0.5 * (left - right) - room, 0.0), max(ahead, b.preferred_step))
+    return way + aside
 
 
 @jit_borrowing
@@ -31,17 +62,25 @@ def wrong_side(others, wished, way, sight):
 
 
 @jit_borrowing
-def way_around(b, w, r, me, wish, others):
+def _free_of_others(me, others, wished, way, look):
+    """How far one can go that way [rad] at full speed, at most `look` [m]; those held up on the wished way are no obstacles."""
+    ux, uy, vx, vy, free = cos(wished), sin(wished), me.full * cos(way), me.full * sin(way), look
+    for o in others:
+        if o[2] < inf and not (o[8] > 0 and o[5] * ux + o[6] * uy > QUEUES):
+            free = min(free, me.full * time_to_collision(o[0], o[1], o[2] - vx, o[3] - vy, o[4]))
+    return free
+
+
+@jit_borrowing
+def way_around(b, w, r, me, others):
     """The best direction of travel: where it is free far, and near the wished one."""
-    wished = wish.heading
+    wished = me.way
     look = LOOK * b.preferred_step
     best, least = wished, inf
     for k in range(-FAN, FAN + 1):
         offset = 0.5 * pi * k / FAN
-        vx, vy = me.full * cos(wished + offset), me.full * sin(wished + offset)
-        free = min(
-            me.full * soonest(others, vx, vy, look / me.full), free_way(w, me.x, me.y, wished + offset, me.margin - 0.01, look)
-        )
+        free = free_way(w, me.x, me.y, wished + offset, me.margin - 0.01, look)
+        free = min(free, _free_of_others(me, others, wished, wished + offset, look))
         off = look * look + free * free - 2 * look * free * cos(offset) + LEFT * look * look * max(offset, 0.0)
         off += KEEP_RIGHT * look * look * min(wrong_side(others, wished, wished + offset, r.reach), 1.0)
         if off < least:

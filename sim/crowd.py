@@ -40,8 +40,8 @@ class Crowd(NamedTuple):
     number: np.ndarray  # (C,) how many footprints have been placed before the newest: its number
     reached: np.ndarray  # (C,) how many of its stops a walker has reached
     hindered: np.ndarray  # (C,) steps that others kept from getting on
-    aim: np.ndarray  # (C, 2) the next step it would take if nobody were there [m]
-    claim: np.ndarray  # (C, 3) ... if nobody of lower rank were there [m], and its rank (planner.right_of_way)
+    aim: np.ndarray  # (C, 2) unit vector of the way that it would go if nobody were there; 0, 0 where it stays
+    claim: np.ndarray  # (C, 3) velocity it would take if nobody of lower rank were there [m/s], its rank (planner.right_of_way)
     side: np.ndarray
     position: np.ndarray
     heading: np.ndarray

@@ -2,7 +2,7 @@
 optimised in its window and committed. All who are due in a tick decide, then all show what they have decided.
 """
 
-from math import cos, hypot, sin
+from math import cos, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -47,11 +47,8 @@ def _wish(crowd, b, w, plans, c, seed, n, step):
 @jit_borrowing
 def _make_way(crowd, b, w, r, c, seed, n, goes, wish):
     """The wish, or what is free of others instead of it."""
-    last = crowd.position[c, n - 1]
-    x, y = plan.middle_of(b, crowd.side[c, n - 1], last[0], last[1], crowd.heading[c, n - 1])
-    to_x, to_y = plan.middle_of(b, wish.side, wish.x, wish.y, wish.heading)
-    length = 0.0 if wish.stands else hypot(to_x - x, to_y - y)
-    crowd.aim[c, 0], crowd.aim[c, 1] = length * cos(wish.heading), length * sin(wish.heading)
+    goes_on = 0.0 if wish.stands else 1.0
+    crowd.aim[c, 0], crowd.aim[c, 1] = goes_on * cos(wish.way), goes_on * sin(wish.way)
     two = slice(n - 2, n)
     overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
     placed, crowd.hindered[c] = avoiding.make_way(

@@ -46,7 +46,7 @@ def _timing(crowd, b, c, n, f):
         return f.wait, f.wait + plan.START_OVERLAP * timing.pendulum_time(b)
     rise = crowd.position[c, n, 2] - crowd.position[c, n - 1, 2]
     turn = abs(crowd.heading[c, n] - crowd.heading[c, n - 1])
-    step, stance = timing.step_timing(b, _length(crowd, c, n), rise, turn, f.side == crowd.side[c, n - 1])
+    step, stance = timing.step_timing(b, _length(crowd, c, n), rise, turn, f.side == crowd.side[c, n - 1], f.longest)
     overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
     longer = max(timing.least_step_time(b, overlap) - step, 0.0)
     return step + longer, stance + longer

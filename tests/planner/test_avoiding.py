@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from motion.biped import load_biped
-from planner import plan
-from planner.candidates import Walker
-from planner.foresight import EAGER, OTHER, foresee
+from planner import plan, timing
+from planner.candidates import Walker, step_to
+from planner.foresight import OTHER, foresee, gives_way
 from planner.reservations import empty_reservations
 from planner.right_of_way import BELONGS, inherited, rank_of
 from planner.walking import WalkTo
-from planner.way_around import wrong_side
+from planner.way_around import keep_right, way_around, wrong_side
 from sim.simulation import Simulation
 from worlds.world import World
 
@@ -76,7 +76,7 @@ def test_who_meet_head_on_pass_each_other():
 
 def oncoming(x, y):
     """One at x, y who walks toward -x, as planner.avoiding.foresee tells: room to keep 0.5 m."""
-    return np.array([[x, y, -0.5, 0.0, 0.5, -1.0, 0.0]])
+    return np.array([[x, y, -0.5, 0.0, 0.5, -1.0, 0.0, -np.inf, 0.0]])
 
 
 def test_who_comes_against_one_belongs_on_the_left():
@@ -94,14 +94,14 @@ def test_who_goes_the_same_way_may_be_on_either_side():
 
 def waiting(hindered):
     """One who stands at 5, 5 and wishes to go toward +x at 1 m/s."""
-    return Walker(0, 0, 5.0, 4.9, 5.0, 5.0, 0.0, 5.0, 5.0, 0.0, 0.0, 0.0, 0.3, 1.0, hindered, True)
+    return Walker(0, 0, 5.0, 4.9, 5.0, 5.0, 0.0, 5.0, 5.0, 0.0, 0.0, 0.0, 0.3, 1.0, hindered, 0.0, True)
 
 
 def facing(x, y, claim=(0.0, 0.0, 0.0)):
-    """Reservations of that one, and of another who stands at x, y, wishes to go toward -x, and claims a step."""
+    """Reservations of that one, and of another who stands at x, y, wishes to go toward -x, and claims a velocity."""
     r = empty_reservations(np.rec.array(BIRD.record.reshape(1)), np.zeros(2, np.int64), (12.0, 12.0))
     r.way[0, :, :2], r.way[1, :, :2] = (5, 5), (x, y)
-    r.aim[1], r.claim[1] = (-0.4, 0.0), claim
+    r.aim[1], r.claim[1] = (-1.0, 0.0), claim
     return r
 
 
@@ -119,11 +119,49 @@ def test_who_has_waited_and_has_the_oncoming_on_its_left_ranks_higher():
     assert rank_of(facing(6.0, 5.0), waiting(9), near, 0.0) > rank_of(facing(6.0, 5.0), waiting(3), near, 0.0)
 
 
-def test_only_a_claim_of_higher_rank_is_expected_to_come_at_full_speed():
+def test_only_a_claim_of_higher_rank_is_expected_to_come():
     claims = facing(5.6, 5.0, (-0.2, 0.2, 6.0))
     yielding, insisting = foreseen(claims, 5.0)[0], foreseen(claims, 7.0)[0]
-    np.testing.assert_allclose(yielding[2:4], (-np.sqrt(0.5), np.sqrt(0.5)), atol=1e-12)
-    np.testing.assert_allclose(insisting[2:4], (-EAGER, 0.0), atol=1e-12)
+    np.testing.assert_allclose(yielding[2:4], (-0.2, 0.2), atol=1e-12)
+    np.testing.assert_allclose(insisting[2:4], (0.0, 0.0), atol=1e-12)
+
+
+def lets_me_go(x, y, way, rank, theirs):
+    """Whether one at x, y from me, who goes a way [rad], gives way to me, who goes toward +x."""
+    r = facing(5 + x, 5 + y, (0.1, 0.0, theirs))
+    return gives_way(r, waiting(0), rank, 1.0, 0.0, 1, np.array([x, y, 0.0, 0.0, 0.5, np.cos(way), np.sin(way), 0.0, 0.0]))
+
+
+def test_those_behind_give_way_and_of_those_who_converge_the_lower_rank():
+    assert lets_me_go(-0.6, 0.1, 0.0, 0.0, 9.0) and not lets_me_go(0.6, 0.1, 0.0, 9.0, 0.0), "a queue"
+    assert lets_me_go(0.3, 0.6, -0.8, 5.0, 3.0) and not lets_me_go(0.3, 0.6, -0.8, 3.0, 5.0), "converging"
+    assert not lets_me_go(-0.6, 0.1, np.pi, 9.0, 0.0), "who comes against one never does"
+
+
+def test_one_queues_behind_who_is_held_up_and_goes_around_who_stands():
+    def heading(claimed):
+        ahead = np.array([[0.5, 0.0, 0.0, 0.0, 0.45, 1.0, 0.0, -np.inf, claimed]])
+        w = World("plain", (12.0, 12.0)).arrays
+        return way_around(BIRD.record, w, facing(5.5, 5.0), waiting(0), ahead)
+
+    assert heading(0.3) == 0 and abs(heading(0.0)) > 0.2
+
+
+def lane(y, comes=True):
+    """The way of a bird at 4, y past the middle of a gap of 2 m at 5, 6, wished toward +x, where another may come."""
+    trees = np.array([(5.0, 6 + side * k, 0.3) for side in (-1, 1) for k in np.arange(1.3, 5.8, 0.4)])
+    r = facing(7.0, 6.0)
+    r.aim[1] = (-1.0 if comes else 1.0, 0.0)
+    return keep_right(BIRD.record, World("gap", (12.0, 12.0), trees=trees).arrays, r, 0, np.array([1]), 4.0, y, 0.0)
+
+
+def test_a_narrow_place_is_passed_on_the_right_where_anyone_comes():
+    assert lane(6.4) < lane(6.0) < -0.1 and lane(5.5) == 0 and lane(6.0, comes=False) == 0
+
+
+def test_short_steps_of_the_hindered_are_quick():
+    calm, hurried = (step_to(BIRD.record, waiting(hindered), 5.05, 5.0, 0.0).time for hindered in (0, 1))
+    assert hurried < calm and hurried >= timing.least_step_time(BIRD.record, 0.0) - 1e-12
 
 
 def test_who_is_in_the_way_of_a_claim_inherits_its_rank():
