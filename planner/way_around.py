@@ -25,17 +25,18 @@ QUEUES = 0.5
 
 
 @jit_borrowing
-def keep_right(b, w, r, me_c, near, x, y, way):
-    """The way [rad] from a middle at x, y to the right half of the narrowest place ahead, where anyone comes against it.
+def keep_right(b, w, r, c, near, x, y, way):
+    """The way [rad] of character c, from its middle at x, y, to the right half of the narrowest place ahead.
 
-    So lanes are agreed on before the place is full. What is free on both sides of a point of the way is measured across it.
+    It is the way that was given where nobody comes against it. So lanes are agreed on before the place is full. What is free
+    on both sides of a point of the way is measured across it.
     """
     ux, uy, comes = cos(way), sin(way), False
     for j in near:
         comes |= r.aim[j, 0] * ux + r.aim[j, 1] * uy < AGAINST
     if not comes:
         return way
-    room, margin = r.room[me_c], min(b.body_radius + MARGIN, queries.clearance(w, x, y)) - 0.01
+    room, margin = r.room[c], min(b.body_radius + MARGIN, queries.clearance(w, x, y)) - 0.01
     least, aside = 2 * NARROW * room, 0.0
     for i in range(NARROW_AHEAD):
         ahead = i * b.preferred_step
