@@ -22,7 +22,7 @@ from planner import plan, random, reservations
 from planner.candidates import CANDIDATES, CLOSING, SMALL, candidate, pace, step_to, walker
 from planner.foresight import OTHER, danger, foresee, is_leader, time_to_collision
 from planner.plan import PATIENT
-from planner.right_of_way import inherited, of_higher_rank, rank_of
+from planner.right_of_way import hindered_after, inherited, of_higher_rank, rank_of
 from planner.wander import free_way
 from planner.way_around import LEFT, keep_right, way_around
 from worlds import queries
@@ -39,8 +39,6 @@ STAND = 0.15
 """Cost of standing with the feet apart, or of closing feet that are together."""
 IMPATIENCE, CHANCE = 0.1, 0.15
 """Cost of staying where one is and of chance for every step that did not get on, up to PATIENT."""
-GETS_ON = 0.4
-"""A step gets on that covers this share of the wished one."""
 FOOT_MARGIN = 0.01
 """Room kept between soles [m]."""
 CROWDED = 64
@@ -181,20 +179,10 @@ def make_way(
         straight = abs(way - wished.way) < STRAIGHT
         k = choose(b, w, r, me, wish, straight, near[:count], scratch, seed, step_number, claim)
     if k == 0:
-        return plan.hurried(wished, pace(hindered)), _hindered(b, me, wish, wish) if goes else max(hindered - 1, 0)
+        return plan.hurried(wished, pace(hindered)), hindered_after(b, me, wish, wish) if goes else max(hindered - 1, 0)
     if k == CANDIDATES:
         return plan.stay(side[0], position[0], heading[0], normal[0], rock[0], YIELD_TIME), hindered + 1
     step = candidate(b, me, wish, k)
-    return plan.put(b, w, me.side, step.foot_x, step.foot_y, step.heading, way, pace(hindered)), _hindered(b, me, wish, step)
-
-
-@jit_borrowing
-def _hindered(b, me, wish, step):
-    """Steps that did not get on, after this one: back and forth does not get on, nor does a turn on the spot."""
-    wished = hypot(wish.x - me.x, wish.y - me.y)
-    along = (step.x - me.x) * cos(wish.heading) + (step.y - me.y) * sin(wish.heading)
-    if along > GETS_ON * max(wished, SMALL * b.preferred_step):
-        return max(me.hindered - 1, 0)
-    if step == wish:
-        return me.hindered
-    return me.hindered + (1 if along >= 0 else 2)
+    return plan.put(b, w, me.side, step.foot_x, step.foot_y, step.heading, way, pace(hindered)), hindered_after(
+        b, me, wish, step
+    )

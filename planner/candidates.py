@@ -13,7 +13,10 @@ SMALL = 0.4
 TURNS, LENGTHS = 3, 4
 KINDS = 2 * TURNS + 2
 ASIDE_AND_BACK = ((0.0, 1.0), (1.0, 1.0), (-1.0, 0.0), (-1.0, 1.0), (-0.5, 0.0), (0.0, 0.5), (-0.5, 0.5), (0.0, 0.0))
-"""Ahead, and to the side of the foot that moves, in small steps; the last stands."""
+"""Ahead, and to the side of the foot that moves, in small steps; back from where that foot is, so that the body goes back too,
+whatever the stance. The last stands."""
+APART = 0.7
+"""The feet part no farther by a step back, in preferred steps."""
 CANDIDATES = KINDS * LENGTHS + len(ASIDE_AND_BACK) - 1
 """How many there are, and the number of standing."""
 CLOSING = KINDS * (LENGTHS - 1) + TURNS + 1
@@ -96,4 +99,7 @@ def candidate(b, me, wish, k):
     ahead, across = ASIDE_AND_BACK[k - KINDS * LENGTHS]
     ahead, across = ahead * SMALL * b.preferred_step, across * SMALL * b.preferred_step * (1 - 2 * me.side)
     c, s = cos(me.heading), sin(me.heading)
+    if ahead < 0:
+        behind = min(2 * ((me.rest_x - me.foot_x) * c + (me.rest_y - me.foot_y) * s), 0.0)
+        ahead = max(ahead + behind, -APART * b.preferred_step)
     return step_to(b, me, me.x + ahead * c - across * s, me.y + ahead * s + across * c, me.heading)

@@ -11,8 +11,9 @@ FORESIGHT = 2.0
 """Collisions later than this [s] do not matter."""
 CAUTION = 1.0
 """Weight of an early collision [s]: more swerves earlier and wider."""
-SPACE = 1.08
-"""Distance wanted between bodies, in what is kept; the impatient come nearer, down to that. Never more than there is."""
+SPACE, CLOSE = 1.08, 0.15
+"""Distance wanted between bodies, in what is kept; the impatient come nearer, down to that. It is less than there is by this
+share of one's room: so among those who touch, coming nearer faster is worse, and backing off counts."""
 LEAST_TIME = 0.1
 """Collisions sooner than this [s] cost no more, and velocities are not told from less."""
 AGAINST = -0.5
@@ -45,12 +46,13 @@ def foresee(r, me, near, rank, others):
         o[5], o[6], o[7], o[8] = r.aim[j, 0], r.aim[j, 1], -inf, hypot(r.claim[j, 0], r.claim[j, 1])
         if gives_way(r, me, rank, ux, uy, j, o):
             o[2], o[3] = inf, inf
-        elif r.claim[j, 2] > rank and o[8] > 0:
-            o[7] = r.claim[j, 2]
-            if hypot(o[2], o[3]) < me.full:
+        elif o[8] > 0:
+            if r.claim[j, 2] > rank:
+                o[7] = r.claim[j, 2]
+            if hypot(o[2], o[3]) < me.full and (o[7] > -inf or o[5] * ux + o[6] * uy >= AGAINST):
                 o[2], o[3] = r.claim[j, 0], r.claim[j, 1]
         space = SPACE + (1 - SPACE) * min(me.hindered, PATIENT) / PATIENT
-        o[4] = min(space * (r.room[me.c] + r.room[j]), hypot(o[0], o[1]))
+        o[4] = min(space * (r.room[me.c] + r.room[j]), max(hypot(o[0], o[1]) - CLOSE * r.room[me.c], 0.0))
 
 
 @jit_borrowing

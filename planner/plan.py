@@ -22,6 +22,8 @@ START_OVERLAP = 0.6
 """Shift of weight before the first step from standing, in pendulum times sqrt(h / g)."""
 THERE, CONTENT = 0.5, 0.25
 """A walker is at its last stop within this share of its preferred step, and more for every step that others hindered."""
+ABEAM = 0.7
+"""A stop on the way is passed by those whom others hinder once its direction is off the leg to it by more than this cosine."""
 PATIENT = 8
 """Up to so many steps that others hindered make one more impatient, and more content."""
 
@@ -140,21 +142,22 @@ def is_there(b, w, plans, c, reached, hindered, x, y):
     far = hypot(plans.stops[c, stop, 0] - x, plans.stops[c, stop, 1] - y)
     if is_last_stop(plans, c, reached):
         return far < (THERE + CONTENT * min(hindered, PATIENT)) * b.preferred_step
-    return far < plans.near[c] or _is_past(b, w, plans, c, reached, x, y)
+    return far < plans.near[c] or _is_past(b, w, plans, c, reached, x, y, ABEAM if hindered > 0 else 0.0)
 
 
 @jit_borrowing
-def _is_past(b, w, plans, c, reached, x, y):
-    """Whether the stop lies behind, beyond the line across the way to it, and the way to the next one is free.
+def _is_past(b, w, plans, c, reached, x, y, abeam):
+    """Whether the stop lies behind, or more to the side than `abeam` (a cosine), and the way to the next one is free.
 
-    Whom others have pushed past a stop does not come back for it: behind a gap, that would block it.
+    Whom others have pushed past a stop, or kept off it, does not make for it across their way: that would block a gap.
     """
     stop, from_x, from_y = stop_of(plans, c, reached), plans.start[c, 0], plans.start[c, 1]
     if reached > 0:
         before = stop_of(plans, c, reached - 1)
         from_x, from_y = plans.stops[c, before, 0], plans.stops[c, before, 1]
     stop_x, stop_y = plans.stops[c, stop, 0], plans.stops[c, stop, 1]
-    if (x - stop_x) * (stop_x - from_x) + (y - stop_y) * (stop_y - from_y) <= 0:
+    leg_x, leg_y, to_x, to_y = stop_x - from_x, stop_y - from_y, stop_x - x, stop_y - y
+    if to_x * leg_x + to_y * leg_y >= abeam * hypot(to_x, to_y) * hypot(leg_x, leg_y):
         return False
     then = stop_of(plans, c, reached + 1)
     dx, dy = plans.stops[c, then, 0] - x, plans.stops[c, then, 1] - y

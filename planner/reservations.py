@@ -20,7 +20,7 @@ FEET = 3
 """Footprints that may still be on the ground when a step planned now lands."""
 COMMITTED, TENTATIVE = 3, 3
 """Points of a way: up to the rest, and beyond it."""
-LAG = 0.36
+LAG = 0.12
 """How much later than a foot lands the body comes to the middle between the feet, in pendulum times: as measured."""
 STRAY = 0.68
 """How far the com strays from its way, in step widths: more keeps bodies apart in a throng, less lets them through a gap."""

@@ -12,11 +12,14 @@ A rank grows for as long as one does not get on, and falls step by step when one
 from math import cos, hypot, inf, sin
 
 from motion.jit import jit_borrowing
+from planner.candidates import SMALL
 from planner.foresight import AGAINST, OTHER, time_to_collision
 from planner.reservations import COMMITTED
 
 BELONGS = 8.0
 """Rank of having all who come against one on the left, in steps that did not get on; on the right, the same less."""
+GETS_ON = 0.4
+"""A step gets on that covers this share of the wished one."""
 SOON = 0.5
 """Who would be run into within this time [s], if it stood, is in the way of a claim."""
 
@@ -55,3 +58,24 @@ def of_higher_rank(others, higher):
                 higher[count, k] = others[i, k]
             count += 1
     return count
+
+
+@jit_borrowing
+def hindered_after(b, me, wish, step):
+    """Steps that did not get on, after this one: back and forth does not get on, nor does a turn on the spot.
+
+    What counts is where the body comes to rest: a foot that is set down where it was gets nobody on.
+    """
+    wished, along = _gain(me, wish, wish), _gain(me, wish, step)
+    if along > GETS_ON * max(wished, SMALL * b.preferred_step):
+        return max(me.hindered - 1, 0)
+    if step == wish:
+        return me.hindered
+    return me.hindered + (1 if along >= 0 else 2)
+
+
+@jit_borrowing
+def _gain(me, wish, step):
+    """How far a step brings the body on its wished heading [m]."""
+    dx, dy = 0.5 * (me.foot_x + step.foot_x) - me.rest_x, 0.5 * (me.foot_y + step.foot_y) - me.rest_y
+    return dx * cos(wish.heading) + dy * sin(wish.heading)

@@ -18,8 +18,11 @@ LOOK, FAN = 5.0, 6
 """How far one looks for a way around, in preferred steps, and for headings to either side, over a right angle."""
 KEEP_RIGHT, WIDE = 1.0, 3.0
 """Weight of having those who come against one on the left; how far to the right they count, in distances between bodies."""
-NARROW, NARROW_AHEAD = 5.0, 7
-"""Places narrower than this, in distances between bodies, are passed on the right; looked for so many steps ahead."""
+NARROW, NARROW_AHEAD, SLANTS = 5.0, 7, 2
+"""Places narrower than this, in distances between bodies, are passed on the right; looked for so many steps ahead, straight
+across the way and at so many slants of 30 degrees to either side."""
+LEAST_WAY = 0.3
+"""A way around is free of trees for this share of a preferred step: no lane leads into a wall."""
 QUEUES = 0.5
 """The cosine between two wishes from which on one queues behind who is held up, instead of going around."""
 
@@ -28,27 +31,36 @@ QUEUES = 0.5
 def keep_right(b, w, r, c, near, x, y, way):
     """The way [rad] of character c, from its middle at x, y, to the right half of the narrowest place ahead.
 
-    It is the way that was given where nobody comes against it. So lanes are agreed on before the place is full. What is free
-    on both sides of a point of the way is measured across it.
+    It is the way that was given where nobody comes against it. So lanes are agreed on before the place is full.
     """
     ux, uy, comes = cos(way), sin(way), False
     for j in near:
         comes |= r.aim[j, 0] * ux + r.aim[j, 1] * uy < AGAINST
     if not comes:
         return way
-    room, margin = r.room[c], min(b.body_radius + MARGIN, queries.clearance(w, x, y)) - 0.01
-    least, aside = 2 * NARROW * room, 0.0
+    margin = min(b.body_radius + MARGIN, queries.clearance(w, x, y)) - 0.01
+    return way + _to_the_right(w, x, y, way, margin, r.room[c], b.preferred_step)
+
+
+@jit_borrowing
+def _to_the_right(w, x, y, way, margin, room, stride):
+    """The turn [rad] from the way to the right half of the narrowest place ahead, `room` [m] off its middle; 0: it leads there.
+
+    How wide a place is, is measured through points of the way, also aslant: a way may lead through a gap at an angle.
+    """
+    least, turn = 2 * NARROW * room, 0.0
     for i in range(NARROW_AHEAD):
-        ahead = i * b.preferred_step
-        px, py = x + ahead * ux, y + ahead * uy
+        px, py = x + i * stride * cos(way), y + i * stride * sin(way)
         if queries.clearance(w, px, py) < margin:
             break
-        right = free_way(w, px, py, way - 0.5 * pi, margin, 2 * NARROW * room)
-        left = free_way(w, px, py, way + 0.5 * pi, margin, 2 * NARROW * room)
-        if right + left < least:
-            least = right + left
-            aside = atan2(min(0.5 * (left - right) - room, 0.0), max(ahead, b.preferred_step))
-    return way + aside
+        for k in range(-SLANTS, SLANTS + 1):
+            across = pi / 6 * k - 0.5 * pi
+            right = free_way(w, px, py, way + across, margin, 2 * NARROW * room)
+            left = free_way(w, px, py, way + across + pi, margin, 2 * NARROW * room)
+            if right + left < least:
+                least, aside = right + left, max(0.5 * (right - left) + room, 0.0)
+                turn = atan2(aside * sin(across), max(i, 1) * stride + aside * cos(across))
+    return turn
 
 
 @jit_borrowing
@@ -81,6 +93,8 @@ def way_around(b, w, r, me, others):
     for k in range(-FAN, FAN + 1):
         offset = 0.5 * pi * k / FAN
         free = free_way(w, me.x, me.y, wished + offset, me.margin - 0.01, look)
+        if k != 0 and free < LEAST_WAY * b.preferred_step:
+            continue
         free = min(free, _free_of_others(me, others, wished, wished + offset, look))
         off = look * look + free * free - 2 * look * free * cos(offset) + LEFT * look * look * max(offset, 0.0)
         off += KEEP_RIGHT * look * look * min(wrong_side(others, wished, wished + offset, r.reach), 1.0)

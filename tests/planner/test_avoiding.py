@@ -5,10 +5,10 @@ import pytest
 
 from motion.biped import load_biped
 from planner import plan, timing
-from planner.candidates import Walker, step_to
-from planner.foresight import OTHER, foresee, gives_way
+from planner.candidates import ASIDE_AND_BACK, CANDIDATES, Walker, candidate, step_to
+from planner.foresight import OTHER, danger, foresee, gives_way
 from planner.reservations import empty_reservations
-from planner.right_of_way import BELONGS, inherited, rank_of
+from planner.right_of_way import BELONGS, hindered_after, inherited, rank_of
 from planner.walking import WalkTo
 from planner.way_around import keep_right, way_around, wrong_side
 from sim.simulation import Simulation
@@ -27,11 +27,11 @@ def test_a_walker_goes_to_its_stops_and_stays():
     assert np.linalg.norm(sim.snapshot().com[0, :2] - (3, 9)) < 0.5
 
 
-def there(x, y, stops, reached=0, again=False, trees=()):
+def there(x, y, stops, reached=0, again=False, trees=(), hindered=0):
     """Whether a walker from 2, 5 that is at x, y has come to its stop."""
     world = World("plain", (12.0, 12.0), trees=np.array(trees).reshape(-1, 3))
     plans = WalkTo([(2, 5, 0.0)], [stops], again=again).prepare(world, [BIRD], np.zeros((1, 2, 5)), np.zeros(1), 1)
-    return plan.is_there(BIRD.record, world.arrays, plans, 0, reached, 0, x, y)
+    return plan.is_there(BIRD.record, world.arrays, plans, 0, reached, hindered, x, y)
 
 
 def test_a_stop_on_the_way_that_lies_behind_is_reached():
@@ -41,6 +41,12 @@ def test_a_stop_on_the_way_that_lies_behind_is_reached():
     assert not there(6.3, 8, on[:1]), "the last stop is not on the way"
     assert not there(6.0, 5.0, [(6, 5), (3, 5)], reached=1, again=True), "nor is where one turns back"
     assert there(2.9, 8, [(6, 5), (3, 5)], reached=1, again=True)
+
+
+def test_a_stop_to_the_side_is_passed_by_whom_others_keep_off_it():
+    on = [(6, 5), (10, 5)]
+    assert there(5.0, 7, on, hindered=1) and not there(5.0, 7, on) and not there(3.0, 7, on, hindered=9)
+    assert not there(5.0, 7, on, hindered=1, trees=[(7.5, 6.0, 0.5)])
 
 
 def test_nobody_slows_down_for_a_stop_on_the_way():
@@ -157,6 +163,56 @@ def lane(y, comes=True):
 
 def test_a_narrow_place_is_passed_on_the_right_where_anyone_comes():
     assert lane(6.4) < lane(6.0) < -0.1 and lane(5.5) == 0 and lane(6.0, comes=False) == 0
+
+
+def test_a_gap_is_seen_from_a_way_that_leads_through_it_at_an_angle():
+    trees = np.array([(5.0, 6 + side * k, 0.3) for side in (-1, 1) for k in np.arange(1.3, 5.8, 0.4)])
+    world, r = World("gap", (12.0, 12.0), trees=trees).arrays, facing(7.0, 6.0)
+    straight = np.arctan2(1.2, 2.0)  # from the right half to the left one
+    way = keep_right(BIRD.record, world, r, 0, np.array([1]), 4.0, 5.4, straight)
+    assert 5.4 + np.tan(way) < 6 - 0.7 * r.room[0] < 5.4 + np.tan(straight)
+
+
+def test_no_way_around_leads_into_a_wall():
+    world = World("wall", (12.0, 12.0), trees=np.array([(x, 4.47, 0.3) for x in np.arange(1.0, 11.0, 0.4)])).arrays
+    ahead = np.array([[0.42, 0.05, -1.0, 0.0, 0.42, -1.0, 0.0, -np.inf, 0.0]])  # comes head-on: the right would be free of it
+    assert way_around(BIRD.record, world, facing(5.5, 5.0), waiting(0), ahead) >= 0
+
+
+def staggered(hindered=0):
+    """One who stands with its last foot, the right, ahead of the other."""
+    return waiting(hindered)._replace(side=1, foot_x=5.1, foot_y=4.955, x=5.1, rest_x=5.0, rest_y=5.0)
+
+
+def test_a_step_back_brings_the_body_back_from_any_stance():
+    b = BIRD.record
+    for me in (waiting(0), staggered()):
+        wish = step_to(b, me, me.x + 0.3, 5.0, 0.0)
+        for k, (ahead, _) in enumerate(ASIDE_AND_BACK[:-1]):
+            step = candidate(b, me, wish, CANDIDATES - len(ASIDE_AND_BACK) + 1 + k)
+            if ahead < 0:
+                assert 0.5 * (me.foot_x + step.foot_x) < me.rest_x - 0.02
+
+
+def test_a_foot_set_down_where_it_was_gets_nobody_on():
+    b, me = BIRD.record, staggered(3)
+    wish = step_to(b, me, 5.4, 5.0, 0.0)
+    in_place = step_to(b, me, 4.9, 5.0, 0.0)
+    on, back = step_to(b, me, 5.3, 5.0, 0.0), step_to(b, me, 4.6, 5.0, 0.0)
+    assert [hindered_after(b, me, wish, step) for step in (wish, on, in_place, back)] == [2, 2, 4, 5]
+
+
+def test_among_those_who_touch_backing_off_is_less_dangerous():
+    r = facing(5 + 2 * facing(6.0, 5.0).room[0], 5.0, (-0.5, 0.0, 6.0))
+    others = foreseen(r, 2.0)
+    costs = [danger(others, v, 0.0) for v in (-0.6, -0.4, -0.2, 0.0)]
+    assert costs[0] == 0 and (np.diff(costs) > 0).all()
+
+
+def test_a_leader_is_expected_to_go_as_it_claims():
+    r = facing(5.6, 5.0, (0.4, 0.0, 1.0))
+    r.aim[1] = (1.0, 0.0)
+    assert foreseen(r, 9.0)[0, 2] == 0.4, "whatever its rank"
 
 
 def test_short_steps_of_the_hindered_are_quick():
