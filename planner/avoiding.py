@@ -183,6 +183,5 @@ def make_way(
     if k == CANDIDATES:
         return plan.stay(side[0], position[0], heading[0], normal[0], rock[0], YIELD_TIME), hindered + 1
     step = candidate(b, me, wish, k)
-    return plan.put(b, w, me.side, step.foot_x, step.foot_y, step.heading, way, pace(hindered)), hindered_after(
-        b, me, wish, step
-    )
+    placed = plan.put(b, w, me.side, step.foot_x, step.foot_y, step.heading, way, pace(hindered))
+    return placed, hindered_after(b, me, wish, step)

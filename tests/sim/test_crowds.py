@@ -30,6 +30,11 @@ def test_streams_pass_a_gap(character):
     assert_well(Watch(streams(8, character)).run(90), 10)
 
 
+@pytest.mark.parametrize("seed", [2, 9])
+def test_people_who_wait_at_the_wall_beside_a_gap_are_let_in(seed):
+    assert_well(Watch(streams(20, "human", seed=seed)).run(90), 10)
+
+
 def test_wanderers_share_a_crowded_forest():
     assert_well(Watch(forest(60, 14.0)).run(20), 10)
 
