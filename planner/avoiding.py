@@ -20,9 +20,9 @@ import numpy as np
 from motion.jit import jit, jit_borrowing
 from planner import plan, random, reservations
 from planner.candidates import CANDIDATES, CLOSING, SMALL, candidate, pace, step_to, walker
-from planner.foresight import OTHER, danger, foresee, is_leader, time_to_collision
+from planner.foresight import OTHER, danger, foresee
 from planner.plan import PATIENT
-from planner.right_of_way import hindered_after, inherited, of_higher_rank, rank_of
+from planner.right_of_way import hindered_after, inherited, of_higher_rank, queueing_speed, rank_of
 from planner.wander import free_way
 from planner.way_around import LEFT, keep_right, way_around
 from worlds import queries
@@ -31,8 +31,6 @@ TURN, ON_THE_SPOT = 0.5, 0.3
 """Cost of a radian off the facing: the wanted heading, or the wished one in steps shorter than this share of the preferred."""
 STRAIGHT = 0.05
 """So much [rad] off the wished way is still the wished way."""
-FOLLOW = 1.0
-"""Who would run into one of the same way before it within this time [s] claims to go slower."""
 ASIDE = 0.1
 """Cost of going left, for every step that did not get on."""
 STAND = 0.15
@@ -104,21 +102,10 @@ def _costs(b, w, r, me, wish, others, seed, step_number, cost):
 
 
 @jit_borrowing
-def _queueing_speed(me, others):
-    """How fast one could go its way behind those before it [m/s]."""
-    ux, uy, speed = cos(me.way), sin(me.way), me.full
-    for o in others:
-        if o[2] < inf and o[5] * ux + o[6] * uy > 0 and o[0] * ux + o[1] * uy > 0 and is_leader(o):
-            time = time_to_collision(o[0], o[1], o[2] - me.full * ux, o[3] - me.full * uy, o[4])
-            speed = min(speed, me.full * time / FOLLOW)
-    return speed
-
-
-@jit_borrowing
 def _claim(b, w, r, me, wish, rank, others, scratch, seed, step_number, claim):
     """Sets claim (3,): the velocity on the wished way, or out of the way of a higher claim; and with which rank."""
     higher, cost = scratch
-    speed = _queueing_speed(me, others)
+    speed = queueing_speed(me, others)
     claim[0], claim[1], claim[2] = speed * cos(me.way), speed * sin(me.way), inherited(others, rank)
     if claim[2] > rank:
         count = of_higher_rank(others, higher)

@@ -23,7 +23,7 @@ START_OVERLAP = 0.6
 THERE, CONTENT = 0.5, 0.25
 """A walker is at its last stop within this share of its preferred step, and more for every step that others hindered."""
 ABEAM = 0.7
-"""A stop on the way is passed by those whom others hinder once its direction is off the leg to it by more than this cosine."""
+"""Whom others hinder has passed a stop on the way once the cosine between its direction and the leg to it is below this."""
 PATIENT = 8
 """Up to so many steps that others hindered make one more impatient, and more content."""
 

@@ -13,13 +13,15 @@ from math import cos, hypot, inf, sin
 
 from motion.jit import jit_borrowing
 from planner.candidates import SMALL
-from planner.foresight import AGAINST, OTHER, time_to_collision
+from planner.foresight import AGAINST, OTHER, is_leader, time_to_collision
 from planner.reservations import COMMITTED
 
 BELONGS = 8.0
 """Rank of having all who come against one on the left, in steps that did not get on; on the right, the same less."""
 GETS_ON = 0.4
 """A step gets on that covers this share of the wished one."""
+FOLLOW = 1.0
+"""Who would run into one of the same way before it within this time [s] claims to go slower."""
 SOON = 0.5
 """Who would be run into within this time [s], if it stood, is in the way of a claim."""
 
@@ -58,6 +60,17 @@ def of_higher_rank(others, higher):
                 higher[count, k] = others[i, k]
             count += 1
     return count
+
+
+@jit_borrowing
+def queueing_speed(me, others):
+    """How fast one could go its way behind those before it [m/s]."""
+    ux, uy, speed = cos(me.way), sin(me.way), me.full
+    for o in others:
+        if o[2] < inf and o[5] * ux + o[6] * uy > 0 and o[0] * ux + o[1] * uy > 0 and is_leader(o):
+            time = time_to_collision(o[0], o[1], o[2] - me.full * ux, o[3] - me.full * uy, o[4])
+            speed = min(speed, me.full * time / FOLLOW)
+    return speed
 
 
 @jit_borrowing
