@@ -1,0 +1,1 @@
+"""Runs whose every bit is kept: what a change of the house must not change."""
