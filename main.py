@@ -31,7 +31,7 @@ def main(arguments: list[str] | None = None) -> int:
     if options.command == "test":
         return subprocess.call([sys.executable, "-m", "pytest", *options.arguments], cwd=HERE)
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
-    from sim import commands
+    from sim.cli import commands
 
     return commands.run(options)
 

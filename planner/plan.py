@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.jit import jit_borrowing
-from planner import placing, random, timing
+from planner.stepping import placing, random, timing
 from planner.wander import free_way, walk_step, wander_step
 from worlds import queries
+from worlds.compiled.jit import jit_borrowing
 
 WANDER, ROUTE, STAND, WALK = 0, 1, 2, 3
 STAND_TIME = 0.5
@@ -113,7 +113,7 @@ def hurried(f, longest):
 
 @jit_borrowing
 def scripted(b, w, script, k, track):
-    """Footprint of row k of a planner.script.Script, after a track that ends in the last two footprints."""
+    """Footprint of row k of a planner.script.script.Script, after a track that ends in the last two footprints."""
     n = len(track.side)
     if script.wait[k] > 0:
         rock = queries.rock_under(w, track.position[n - 2, 0], track.position[n - 2, 1], placing.EDGE)

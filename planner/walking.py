@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from motion.biped import Biped
+from motion.characters.biped import Biped
 from planner import plan
 from worlds.world import World
 

@@ -8,9 +8,9 @@ can always turn round, and is never trapped.
 
 from math import atan2, cos, hypot, pi, sin
 
-from motion.jit import jit_borrowing
-from planner import random
+from planner.stepping import random
 from worlds import queries
+from worlds.compiled.jit import jit_borrowing
 
 DRIFT_STEPS = 9
 """Steps over which the drift of the heading changes."""

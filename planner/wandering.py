@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from motion.biped import Biped
-from planner import plan, random
+from motion.characters.biped import Biped
+from planner import plan
+from planner.stepping import random
 from planner.wander import MARGIN
 from worlds.errors import InputError
 from worlds.queries import clearance

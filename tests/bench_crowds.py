@@ -13,7 +13,7 @@ from pathlib import Path
 from time import perf_counter
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from sim.simulation import Simulation  # noqa: E402
+from sim.stage.simulation import Simulation  # noqa: E402
 from tests.crowds import Watch, forest, ring, streams  # noqa: E402
 
 SIDE = {"bird": 40.0, "human": 60.0, "dinosaur": 110.0}

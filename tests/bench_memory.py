@@ -7,10 +7,10 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from motion.biped import load_biped  # noqa: E402
+from motion.characters.biped import load_biped  # noqa: E402
 from planner.wandering import Wander  # noqa: E402
 from sim.bench.crowds import open_forest  # noqa: E402
-from sim.simulation import Simulation  # noqa: E402
+from sim.stage.simulation import Simulation  # noqa: E402
 
 
 def resident_mb() -> float:

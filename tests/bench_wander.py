@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from planner.timing import step_timing  # noqa: E402
-from sim.commands import make_simulation  # noqa: E402
+from planner.stepping.timing import step_timing  # noqa: E402
+from sim.cli.commands import make_simulation  # noqa: E402
 from worlds import queries  # noqa: E402
 
 LEVELS = ("forest", "dense_forest", "hills", "forest_river")

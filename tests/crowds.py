@@ -3,10 +3,10 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
-from motion.biped import load_biped
+from motion.characters.biped import load_biped
 from planner.walking import WalkTo
 from planner.wandering import Wander
-from sim.simulation import Simulation
+from sim.stage.simulation import Simulation
 from worlds import queries
 from worlds.scatter import Scatter, scattered
 from worlds.world import World

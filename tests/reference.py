@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.optimize import nnls
 
-from motion import cost
+from motion.com import cost
 
 GRAVITY = np.array([0.0, 0.0, -9.81])
 
@@ -41,7 +41,7 @@ def reach_cost(com, origins, max_length, weight):
 
 
 def total_cost(problem, control):
-    """E of a motion.problem.Problem, sample by sample."""
+    """E of a motion.com.problem.Problem, sample by sample."""
     segments, samples = len(problem.time) - 1, len(problem.standing)
     e = 0.5 * float(np.repeat(problem.anchor_stiffness, 3) @ (control[-1] - problem.anchor) ** 2)
     for i in range(segments):

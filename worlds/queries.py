@@ -4,8 +4,8 @@ from math import atan2, cos, floor, hypot, sin, sqrt
 
 import numpy as np
 
-from motion.jit import jit, jit_borrowing
 from worlds.arrays import CELL, FLAT, HEIGHTMAP, HILLS, REACH, SPIRAL_STAIRS, STAIRS
+from worlds.compiled.jit import jit, jit_borrowing
 
 TAU = 6.283185307179586
 

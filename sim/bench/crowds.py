@@ -6,15 +6,15 @@ from time import perf_counter
 import numba
 import numpy as np
 
-from motion.biped import load_biped
-from motion.jit import jit
-from motion.parts import call
-from motion.pose import empty_pose
-from planner import reservations
+from motion.characters.biped import load_biped
+from motion.pose.pose import empty_pose
+from planner.crowd import reservations
 from planner.wandering import Wander
-from sim import crowd as crowds
-from sim import rounds
-from sim.simulation import Simulation
+from sim.rows import crowd as crowds
+from sim.rows import rounds
+from sim.stage.simulation import Simulation
+from worlds.compiled.jit import jit
+from worlds.compiled.parts import call
 from worlds.world import World
 
 SETTLE = 90

@@ -8,7 +8,8 @@ from importlib.util import find_spec
 
 import numpy as np
 
-from motion import cost, spline
+from motion.com import cost
+from motion.track import spline
 
 INSTALLED = find_spec("casadi") is not None
 OPTIONS = {"print_time": False, "ipopt": {"print_level": 0, "sb": "yes", "max_iter": 500, "tol": 1e-6}}

@@ -7,15 +7,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion import laying, newton, window
-from motion.biped import load_biped
-from motion.jit import jit
-from motion.problem import total_cost
-from motion.track import Track
+from motion.characters.biped import load_biped
+from motion.com import laying, newton, window
+from motion.com.problem import total_cost
+from motion.track.footprints import Track
 from planner.wandering import Wander
-from sim.crowd import TENTATIVE, copied_track
-from sim.rounds import window_end
-from sim.simulation import Simulation
+from sim.rows.crowd import TENTATIVE, copied_track
+from sim.rows.rounds import window_end
+from sim.stage.simulation import Simulation
+from worlds.compiled.jit import jit
 from worlds.level import load_level
 
 STEPS = 100
@@ -24,7 +24,7 @@ SAMPLES = 10
 
 
 class Window(NamedTuple):
-    """Arguments of motion.window.optimise_window but for the effort, copied."""
+    """Arguments of motion.com.window.optimise_window but for the effort, copied."""
 
     b: np.record
     track: Track

@@ -8,13 +8,13 @@ from time import perf_counter
 
 import numpy as np
 
-from motion.biped import load_biped
+from motion.characters.biped import load_biped
 from planner.wandering import Wander
 from sim.bench import crowds, live, solver
-from sim.simulation import Simulation
+from sim.stage.simulation import Simulation
 from worlds.level import load_level
 
-MAIN = Path(__file__).resolve().parent.parent.parent / "main.py"
+MAIN = Path(__file__).resolve().parents[2] / "main.py"
 SIZE = (960, 540)
 CROWDS = ((1, 5.0), (100, 5.0), (1000, 5.0), (10_000, 2.0), (100_000, 0.5))
 QUICK_CROWDS = ((1, 2.0), (100, 2.0))
@@ -51,10 +51,10 @@ def frames(n: int, count: int) -> float | None:
 
     One character: the default demo. More: n wanderers in the same forest, all of them in view.
     """
-    from sim.view.app import tick_for
-    from sim.view.gl import NoGL
-    from sim.view.offscreen import Picture
-    from sim.view.quality import LEVELS, SOFTWARE_LEVEL
+    from sim.view.graphics.gl import NoGL
+    from sim.view.graphics.quality import LEVELS, SOFTWARE_LEVEL
+    from sim.view.pictures.offscreen import Picture
+    from sim.view.window.app import tick_for
 
     try:
         picture = Picture(SIZE, LEVELS[SOFTWARE_LEVEL])

@@ -5,9 +5,9 @@ from time import perf_counter
 
 import numpy as np
 
-from motion import greedy, newton
-from motion.equations import assemble, empty_equations
-from motion.problem import straight_guess, total_cost
+from motion.com import greedy, newton
+from motion.com.equations import assemble, empty_equations
+from motion.com.problem import straight_guess, total_cost
 from sim.bench import ipopt
 from sim.bench.tracks import TRACKS, twelve_steps
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from motion.problem import Problem, empty_problem
+from motion.com.problem import Problem, empty_problem
 
 WALK: dict = dict()
 RUN = dict(step_length=1.1, step_time=0.36, stance_time=0.26, flights=True)

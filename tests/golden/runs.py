@@ -15,11 +15,11 @@ from pathlib import Path
 
 import numpy as np
 
-from sim.cast import Cast
-from sim.commands import make_simulation
-from sim.performance import Performance
+from planner.script.scene import load_scene, scene_names
+from sim.cli.commands import make_simulation
+from sim.stage.cast import Cast
+from sim.stage.performance import Performance
 from tests.crowds import streams
-from worlds.scene import load_scene, scene_names
 
 HERE = Path(__file__).parent
 HASHES, VALUES = HERE / "hashes.json", HERE / "values.npz"

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from motion import cost, spline
-from motion.equations import assemble, empty_equations
-from motion.problem import total_cost
+from motion.com import cost
+from motion.com.equations import assemble, empty_equations
+from motion.com.problem import total_cost
+from motion.track import spline
 from sim.bench.tracks import twelve_steps
 from tests import reference
 

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from motion import gait, phases
+from motion.measures import gait
+from motion.track import phases
 
 HIP = 0.92
 TIME = np.arange(0, 14, 1 / 60)

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
-from motion import joints
+from motion.measures import joints
 
 TIME = np.arange(0, 10, 1 / 60)
 POINT = st.tuples(*[st.floats(-1, 1)] * 3)
@@ -39,10 +39,9 @@ def test_angles_are_those_of_the_leg():
     assert "hock" not in straight
 
 
-@settings(deadline=None)
 @given(st.floats(-3, 3), st.floats(-1.4, 1.4), st.floats(-1, 1))
 def test_angles_turn_with_the_body(yaw, pitch, roll):
-    from motion.body import quaternion, turned
+    from motion.pose.body import quaternion, turned
 
     frames = legs(0.3, 0.7, 0.5, 1.4)
     rotated = {name: np.array([turned(yaw, pitch, roll, *p) for p in value.reshape(-1, 3)]).reshape(value.shape)
@@ -89,7 +88,6 @@ def distance_by_search(p, q, r, s):
     return gaps.min()
 
 
-@settings(deadline=None)
 @given(POINT, POINT, POINT, POINT)
 def test_segment_distance_is_the_least(p, q, r, s):
     found = joints.segment_distance(*(np.array(point) for point in (p, q, r, s)))

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from motion.jit import jit, jit_borrowing, jit_inline, stack_array
-from motion.lanes import LANES, anywhere, choose, lanes_of, larger, load, root, store, total
+from worlds.compiled.jit import jit, jit_borrowing, jit_inline, stack_array
+from worlds.compiled.lanes import LANES, anywhere, choose, lanes_of, larger, load, root, store, total
 
 N = 5 * LANES
 

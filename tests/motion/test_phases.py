@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motion import phases
+from motion.track import phases
 from tests import reference
 
 
@@ -15,7 +15,7 @@ def built(side, contact, stance, begin, end):
     return time[: m + 1], support[:m]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.integers(0, 10**6))
 def test_phases_agree_with_a_dense_scan(seed):
     rng = np.random.default_rng(seed)

@@ -3,11 +3,13 @@
 import numpy as np
 import pytest
 
-from motion import foot, heading, laying, legs, newton, swing
-from motion.biped import CharacterError, character_names, load_biped
-from motion.pose import empty_pose, pose_kernel
-from motion.problem import straight_guess
-from motion.track import Track
+from motion.characters.biped import CharacterError, character_names, load_biped
+from motion.com import laying, newton
+from motion.com.problem import straight_guess
+from motion.pose import legs, swing
+from motion.pose.pose import empty_pose, pose_kernel
+from motion.track import foot, heading
+from motion.track.footprints import Track
 
 
 def straight_walk(b, n=14, stride=1.0, turn=0.0):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from motion import quality
+from motion.measures import quality
 from tests import reference
 
 RATE = 60

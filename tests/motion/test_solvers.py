@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from motion import greedy, newton, tridiagonal
-from motion.equations import assemble, empty_equations
-from motion.problem import straight_guess, total_cost
+from motion.com import greedy, newton, tridiagonal
+from motion.com.equations import assemble, empty_equations
+from motion.com.problem import straight_guess, total_cost
 from sim.bench.tracks import TRACKS, twelve_steps
 from tests import reference
 
@@ -122,8 +122,8 @@ def test_greedy_never_climbs():
 
 def test_long_tracks_grow_no_worse_than_their_problems():
     """Twice the footprints, twice the segments and the same cost per segment: the sizes that times are linear in."""
-    from motion import laying
-    from motion.biped import load_biped
+    from motion.characters.biped import load_biped
+    from motion.com import laying
     from tests.motion.test_pose import straight_walk
 
     b = load_biped("human").record

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from motion import foot, heading, laying, newton, phases, spline, window
-from motion.biped import load_biped
+from motion.characters.biped import load_biped
+from motion.com import laying, newton, window
+from motion.track import foot, heading, phases, spline
 from sim.bench import live
 from tests import reference
 from tests.motion.test_pose import straight_walk

@@ -3,15 +3,16 @@
 import numpy as np
 import pytest
 
-from motion.biped import load_biped
-from planner import plan, timing
-from planner.candidates import ASIDE_AND_BACK, CANDIDATES, Walker, candidate, step_to
-from planner.foresight import OTHER, danger, foresee, gives_way
-from planner.reservations import empty_reservations
-from planner.right_of_way import BELONGS, hindered_after, inherited, rank_of
+from motion.characters.biped import load_biped
+from planner import plan
+from planner.crowd.candidates import ASIDE_AND_BACK, CANDIDATES, Walker, candidate, step_to
+from planner.crowd.foresight import OTHER, danger, foresee, gives_way
+from planner.crowd.reservations import empty_reservations
+from planner.crowd.right_of_way import BELONGS, hindered_after, inherited, rank_of
+from planner.crowd.way_around import keep_right, way_around, wrong_side
+from planner.stepping import timing
 from planner.walking import WalkTo
-from planner.way_around import keep_right, way_around, wrong_side
-from sim.simulation import Simulation
+from sim.stage.simulation import Simulation
 from worlds.world import World
 
 BIRD = load_biped("bird")
@@ -81,7 +82,7 @@ def test_who_meet_head_on_pass_each_other():
 
 
 def oncoming(x, y):
-    """One at x, y who walks toward -x, as planner.avoiding.foresee tells: room to keep 0.5 m."""
+    """One at x, y who walks toward -x, as planner.crowd.avoiding.foresee tells: room to keep 0.5 m."""
     return np.array([[x, y, -0.5, 0.0, 0.5, -1.0, 0.0, -np.inf, 0.0]])
 
 

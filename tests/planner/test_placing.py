@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from motion import swing
-from motion.biped import load_biped
-from planner import placing
+from motion.characters.biped import load_biped
+from motion.pose import swing
+from planner.stepping import placing
 from tests.motion.test_pose import straight_walk
 from worlds import queries
 from worlds.world import World

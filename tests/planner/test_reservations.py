@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
-from motion.biped import load_biped
-from planner import reservations
-from planner.foresight import time_to_collision
-from planner.reservations import COMMITTED, FEET, TENTATIVE
+from motion.characters.biped import load_biped
+from planner.crowd import reservations
+from planner.crowd.foresight import time_to_collision
+from planner.crowd.reservations import COMMITTED, FEET, TENTATIVE
 
 BIPEDS = np.rec.array(np.concatenate([load_biped(name).record.reshape(1) for name in ("bird", "human")]))
 SIZE = (30.0, 20.0)
@@ -29,7 +29,6 @@ def some(count, seed):
     return r
 
 
-@settings(deadline=None)
 @given(st.integers(0, 200), st.integers(0, 1000))
 def test_neighbours_are_those_of_all_pairs(count, seed):
     r, near = some(count, seed), np.empty(500, np.int64)
@@ -76,7 +75,6 @@ def at(way, t):
     return np.array([np.interp(t, way[:, 2], way[:, k]) for k in (0, 1)])
 
 
-@settings(deadline=None)
 @given(st.integers(0, 10_000))
 def test_least_distance_is_that_of_dense_samples(seed):
     r = some(2, seed)
@@ -101,15 +99,17 @@ def test_feet_hold_their_discs_until_they_leave():
     assert not reservations.foot_is_free(r, 0, 3.0, 1.0 - 1.9 * radius, radius, 99.0)
 
 
-@settings(deadline=None)
-@given(st.tuples(*[st.floats(-3, 3)] * 4), st.floats(0.1, 1))
+@given(st.tuples(*[st.floats(-3, 3).map(lambda number: round(number, 6))] * 4), st.floats(0.1, 1))
 def test_time_to_collision_is_that_of_dense_samples(state, apart):
+    """Also where they only graze each other, where dense samples cannot tell whether they touch."""
     p, v = np.array(state[:2]), np.array(state[2:])
     times = np.linspace(0, 10, 20001)
     distance = np.linalg.norm(p[:, None] + v[:, None] * times, axis=0)
     ttc = time_to_collision(*p, *v, apart)
     if np.isinf(ttc):
-        assert distance.min() > apart - 1e-3 or distance[0] <= apart + 1e-3 or distance.argmin() == 0
-    elif ttc < 10:
-        k = int(np.argmax(distance <= apart + 1e-3))
-        assert distance.min() <= apart + 2e-3 and times[k] == pytest.approx(ttc, abs=0.05) or ttc == 0
+        assert distance.min() >= apart - 1e-3 or distance.argmin() == 0
+    elif ttc == 0:
+        assert distance[0] <= apart + 1e-9 and p @ v < 0
+    else:
+        assert np.linalg.norm(p + v * ttc) == pytest.approx(apart, abs=1e-6)
+        assert (distance[times < ttc] >= apart - 1e-9).all()

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicHermiteSpline
 
-from motion.biped import load_biped
-from planner import script as scripts
+from motion.characters.biped import load_biped
+from planner.script import script as scripts
+from planner.script.scene import Print, load_scene
+from planner.script.scene import Stretch as Path
 from worlds.errors import InputError
-from worlds.scene import Print, load_scene
-from worlds.scene import Stretch as Path
 
 HUMAN = load_biped("human")
 

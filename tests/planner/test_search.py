@@ -5,9 +5,9 @@ from heapq import heappop, heappush
 import numpy as np
 import pytest
 
-from motion.biped import load_biped
-from planner import search
-from planner.rock_hop import NoWay, RockHop, route
+from motion.characters.biped import load_biped
+from planner.river import search
+from planner.river.rock_hop import NoWay, RockHop, route
 from worlds import queries
 from worlds.level import load_level
 

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motion.biped import character_names, load_biped
-from planner import random, timing
+from motion.characters.biped import character_names, load_biped
+from planner.stepping import random, timing
 
 HUMAN = load_biped("human").record
 

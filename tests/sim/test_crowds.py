@@ -6,9 +6,9 @@ import numba
 import numpy as np
 import pytest
 
-from motion.biped import load_biped
+from motion.characters.biped import load_biped
 from planner.wandering import Wander
-from sim.simulation import Simulation
+from sim.stage.simulation import Simulation
 from tests.crowds import Watch, forest, ring, streams
 from worlds.errors import InputError
 from worlds.world import World

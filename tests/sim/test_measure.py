@@ -9,15 +9,15 @@ import pytest
 from PIL import Image
 
 import main
-from motion.biped import load_biped
-from sim import literature, timings
-from sim.measure import in_words, measure
-from sim.performance import Performance
-from sim.recording import Recorder, Recording
-from sim.run import run
+from motion.characters.biped import load_biped
+from planner.script.scene import load_scene
+from sim.files.recording import Recorder, Recording
+from sim.reports import literature, timings
+from sim.reports.measure import in_words, measure
+from sim.stage.performance import Performance
+from sim.stage.run import run
 from worlds import queries
 from worlds.errors import InputError
-from worlds.scene import load_scene
 
 
 @pytest.fixture(scope="module")
@@ -130,7 +130,7 @@ def test_without_matplotlib_a_message_tells(file, tmp_path, capsys, monkeypatch)
     real = builtins.__import__
 
     def without(name, *rest):
-        if name.startswith("matplotlib") or (name == "sim" and rest[2] and "plots" in rest[2]):
+        if name.startswith("matplotlib") or (name == "sim.reports" and rest[2] and "plots" in rest[2]):
             raise ImportError("No module named 'matplotlib'")
         return real(name, *rest)
 

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import main
-from motion.biped import load_biped
+from motion.characters.biped import load_biped
 from planner.walking import WalkTo
-from sim.commands import make_simulation
-from sim.saving import restore, save
-from sim.simulation import Simulation
+from sim.cli.commands import make_simulation
+from sim.files.saving import restore, save
+from sim.stage.simulation import Simulation
 from worlds.errors import InputError
 from worlds.world import World
 

@@ -6,11 +6,11 @@ from functools import cache
 import numpy as np
 import pytest
 
-from sim.measure import measure
-from sim.performance import Performance
-from sim.recording import Recorder
+from planner.script.scene import load_scene, scene_names
+from sim.files.recording import Recorder
+from sim.reports.measure import measure
+from sim.stage.performance import Performance
 from worlds.errors import InputError
-from worlds.scene import load_scene, scene_names
 
 FAST = {"sprint", "ditch_jump", "one_leg_hops", "stop_from_a_run", "fig18_run_over_hills", "ostrich_run"}
 FAST |= {"fig01_steps_and_a_hop", "fig17_large_leap", "fig17_small_leap", "fig19_automatic_timing"}

@@ -6,13 +6,13 @@ import numba
 import numpy as np
 import pytest
 
-from motion.biped import load_biped
-from planner.timing import step_timing
+from motion.characters.biped import load_biped
+from planner.stepping.timing import step_timing
 from planner.wandering import Wander
-from sim.commands import make_simulation
-from sim.measure import measure
-from sim.recording import Recorder, load_recording
-from sim.simulation import Simulation
+from sim.cli.commands import make_simulation
+from sim.files.recording import Recorder, load_recording
+from sim.reports.measure import measure
+from sim.stage.simulation import Simulation
 from worlds.level import load_level
 
 CHARACTERS = ("bird", "dinosaur", "human")

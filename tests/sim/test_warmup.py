@@ -7,14 +7,16 @@ from unittest.mock import Mock
 import numpy as np
 import pytest
 
-from motion.biped import load_biped
-from motion.parts import Part
+from motion.characters.biped import load_biped
+from planner.script.scene import load_scene
 from planner.wandering import Wander
-from sim import crowd, performance, rounds, warmup
-from sim.performance import Performance
-from sim.simulation import Simulation
+from sim.cli import warmup
+from sim.rows import crowd, rounds
+from sim.stage import performance
+from sim.stage.performance import Performance
+from sim.stage.simulation import Simulation
+from worlds.compiled.parts import Part
 from worlds.level import load_level
-from worlds.scene import load_scene
 
 
 def test_nothing_is_left_to_compile():
@@ -38,11 +40,11 @@ def test_nothing_is_left_to_compile():
 
 
 def test_threads_run_before_kernels_are_loaded():
-    """Else a kernel from the cache that calls a parallel one may find nothing there: see motion.jit.start_threads."""
+    """Else a kernel from the cache that calls a parallel one may find nothing there: see worlds.compiled.jit.start_threads."""
     alone = """
 import numba
-from motion.biped import load_biped
-from sim.cast import Cast
+from motion.characters.biped import load_biped
+from sim.stage.cast import Cast
 from worlds.world import World
 Cast(World("empty", (9.0, 9.0)), [load_biped("bird")], 1, 60)
 print(numba.threading_layer())

@@ -8,14 +8,14 @@ import os
 
 import pytest
 
-from motion.biped import character_names
-from sim.commands import make_simulation
-from sim.view import gl
+from motion.characters.biped import character_names
+from sim.cli.commands import make_simulation
+from sim.view.graphics import gl
 
 
 @pytest.fixture
 def app():
-    from sim.view.app import App
+    from sim.view.window.app import App
 
     options = argparse.Namespace(level="river_easy", character="human", seed=0)
 
@@ -50,8 +50,8 @@ def test_keys_do_what_the_help_says(app):
 
 
 def test_a_crowd_is_looked_at_as_a_whole_or_one_by_one():
-    from sim.view.app import App
-    from sim.view.detail import in_view
+    from sim.view.graphics.detail import in_view
+    from sim.view.window.app import App
 
     def make(level="forest", character="human", seed=0):
         return make_simulation(level, character, 40, seed, False)
@@ -97,7 +97,7 @@ def test_real_events_drive_a_window(monkeypatch, app):
     gl.prefer_egl_without_display()
     import pygame
 
-    from sim.view.window import PlanScreen, _open_screen, handle
+    from sim.view.window.window import PlanScreen, _open_screen, handle
 
     pygame.display.init()
     try:

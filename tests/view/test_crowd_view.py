@@ -3,13 +3,15 @@
 import numpy as np
 import pytest
 
-from motion.biped import load_biped
+from motion.characters.biped import load_biped
 from planner.wandering import Wander
-from sim.simulation import Simulation
-from sim.view import bodies, detail, gl, picking, shaders
-from sim.view.camera import Camera
-from sim.view.clay import Clay
-from sim.view.trail import Trail
+from sim.stage.simulation import Simulation
+from sim.view.bodies import bodies
+from sim.view.bodies.clay import Clay
+from sim.view.graphics import detail, gl, shaders
+from sim.view.graphics.camera import Camera
+from sim.view.scenery.trail import Trail
+from sim.view.window import picking
 from tests import reference
 from worlds.level import load_level
 
@@ -18,8 +20,8 @@ KINDS = ("bird", "dinosaur", "human")
 
 @pytest.fixture(scope="module")
 def picture():
-    from sim.view.offscreen import Picture
-    from sim.view.quality import Quality
+    from sim.view.graphics.quality import Quality
+    from sim.view.pictures.offscreen import Picture
 
     try:
         return Picture((320, 180), Quality(512, 1, 0, 1.0))

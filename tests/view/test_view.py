@@ -3,16 +3,17 @@
 import numpy as np
 import pytest
 
-from sim.commands import make_simulation
-from sim.view import gl, picking
-from sim.view.camera import Camera
+from sim.cli.commands import make_simulation
+from sim.view.graphics import gl
+from sim.view.graphics.camera import Camera
+from sim.view.window import picking
 from worlds.level import load_level
 
 
 @pytest.fixture(scope="module")
 def picture():
-    from sim.view.offscreen import Picture
-    from sim.view.quality import Quality
+    from sim.view.graphics.quality import Quality
+    from sim.view.pictures.offscreen import Picture
 
     try:
         return Picture((320, 180), Quality(512, 1, 0, 1.0))

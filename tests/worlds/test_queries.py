@@ -31,7 +31,7 @@ def water_twin(world, x, y):
     return best
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(st.floats(-2, 42), st.floats(-2, 42))
 def test_clearance_is_the_brute_force_one(x, y):
     w = WORLD.arrays

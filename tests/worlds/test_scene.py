@@ -3,8 +3,8 @@
 import pytest
 
 import main
+from planner.script.scene import load_scene, scene_names
 from worlds.errors import InputError
-from worlds.scene import load_scene, scene_names
 
 HEAD = 'format = 1\nname = "t"\n[world]\nsize = [9.0, 4.0]\n'
 PATH = "[path]\npoints = [[1.0, 2.0], [6.0, 2.0]]\nstep_length = 0.5\n"

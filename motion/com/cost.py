@@ -1,0 +1,182 @@
+"""The two costs of a moment, with their derivatives (paper, section 2.4).
+
+Unit mass; a is the acceleration of the centre of mass c and w = a - g the force per mass that is needed. A standing leg
+can push along K = unit(c - s), s its point of support, and never pull.
+
+    flight         F = 0                                    r = w - F, e = |r|
+    single stance  F = max(0, w.K) K                        r = P w,  P = I - K K^T
+    double stance  F = a1 K1 + a2 K2, a1, a2 >= 0, nearest  r = (n.w) n inside the cone, n = unit(K1 x K2)
+    comfort        e = k (l - l_nominal)^2 per standing leg, l = |c - q|, q = ankle minus the hip's offset from c
+
+Not in the paper: reach. Beyond l_max the comfort cost is STRETCH times as stiff, and k * 20 s * (l - l_max)^2 counts once at
+either end of a segment, where legs are longest: both lower the body before a leg would have to be longer than it is.
+
+Derivatives: N, the projector on what the legs cannot give, is I, P, or n n^T. Moving c by dc turns leg j by P_j dc / d_j,
+d_j = |c - s_j|, and with it its push a_j K_j; as N P_j = N,
+
+    dr = N (dw - phi dc) + terms of size |r|,    phi = sum of a_j / d_j,    de/dw = r / |r|,    de/dc = -phi r / |r| (exactly)
+
+so a moment's model is one 3x3 matrix M = N / max(|r|, eps) in the single variable dw - phi dc: Gauss-Newton on the
+reweighted squared norm. It leaves out that a push cannot turn into a pull: inside the cone it would shift weight between
+the legs for nothing and jump out of it. So each share a_j of a double stance is held by CAUTION / max(a_j, 1)^2 (da_j)^2, the
+barrier's metric: it vanishes at the solution, and the full step needs no other damping.
+"""
+
+from math import sqrt
+
+import numpy as np
+
+from worlds.compiled.jit import jit_borrowing, jit_inline
+from worlds.compiled.lanes import choose, larger, root
+
+GRAVITY = 9.81
+"""m/s^2, along -z."""
+
+STRETCH = 100.0
+"""Stiffness of a leg beyond full extension, in comfort weights: more keeps it shorter, and solves slower."""
+REACH_TIME = 20.0
+"""Weight of a leg beyond full extension, in seconds of discomfort: more keeps it shorter, and solves slower."""
+CAUTION = 0.01
+"""Stiffness of the shares in double stance [m/s^2]: less overshoots the cone, more creeps."""
+_LEAST_SHARE = 1.0
+"""Push [m/s^2] below which a leg's share gets no stiffer, so that it can still vanish."""
+_NEARLY_PARALLEL = 1e-9
+
+
+@jit_inline
+def smooth_norm(r, eps):
+    """Huber's |r|: a parabola below eps, never below |r|; its weight is 1 / max(|r|, eps)."""
+    return choose(r >= eps, r, 0.5 * (r * r / eps + eps))
+
+
+@jit_inline
+def _leg(c, w, s):
+    """Unit leg K (three numbers), 1 / its length, and the push w.K that it would have to give."""
+    x, y, z = c[0] - s[0], c[1] - s[1], c[2] - s[2]
+    inverse = 1 / (root(x * x + y * y + z * z) + 1e-300)
+    x, y, z = x * inverse, y * inverse, z * inverse
+    return x, y, z, inverse, w[0] * x + w[1] * y + w[2] * z
+
+
+@jit_inline
+def _either(c, a, b):
+    """a where c holds, else b, of the first three numbers."""
+    return choose(c, a[0], b[0]), choose(c, a[1], b[1]), choose(c, a[2], b[2])
+
+
+@jit_inline
+def _single_model(w, left, right, on0, on1, eps):
+    """The leg that stands and pushes more carries; where none pushes, nothing does: flight."""
+    b0, b1 = choose(on0, left[4], -np.inf), choose(on1, right[4], -np.inf)
+    first = b0 >= b1
+    push = larger(choose(first, b0, b1), 0.0)
+    nearer = choose(first, left[3], right[3])
+    x, y, z = _either(push > 0, _either(first, left, right), (0.0, 0.0, 0.0))  # a foot in the air may be nowhere: NaN
+    r0, r1, r2 = w[0] - push * x, w[1] - push * y, w[2] - push * z
+    r = root(r0 * r0 + r1 * r1 + r2 * r2)
+    q = 1 / larger(r, eps)
+    m = (q - q * x * x, -q * y * x, q - q * y * y, -q * z * x, -q * z * y, q - q * z * z)
+    return r, choose(push > 0, push * nearer, 0.0), (q * r0, q * r1, q * r2), m
+
+
+@jit_inline
+def _double_model(w, left, right, k, eps):
+    """Both legs (from _leg) carry; k = K1.K2."""
+    x0, y0, z0, near0, b0 = left
+    x1, y1, z1, near1, b1 = right
+    inverse = 1 / (1 - k * k)
+    a0, a1 = (b0 - k * b1) * inverse, (b1 - k * b0) * inverse
+    t = root(inverse)
+    n0, n1, n2 = t * (y0 * z1 - z0 * y1), t * (z0 * x1 - x0 * z1), t * (x0 * y1 - y0 * x1)
+    r = n0 * w[0] + n1 * w[1] + n2 * w[2]
+    size = larger(r, -r)
+    q = 1 / larger(size, eps)
+    g = q * r
+    t0, t1 = inverse / larger(a0, _LEAST_SHARE), inverse / larger(a1, _LEAST_SHARE)
+    h0, h1 = CAUTION * t0 * t0, CAUTION * t1 * t1
+    u0, u1, u2 = x0 - k * x1, y0 - k * y1, z0 - k * z1
+    v0, v1, v2 = x1 - k * x0, y1 - k * y0, z1 - k * z0
+    m = (
+        q * n0 * n0 + h0 * u0 * u0 + h1 * v0 * v0,
+        q * n1 * n0 + h0 * u1 * u0 + h1 * v1 * v0,
+        q * n1 * n1 + h0 * u1 * u1 + h1 * v1 * v1,
+        q * n2 * n0 + h0 * u2 * u0 + h1 * v2 * v0,
+        q * n2 * n1 + h0 * u2 * u1 + h1 * v2 * v1,
+        q * n2 * n2 + h0 * u2 * u2 + h1 * v2 * v2,
+    )
+    return size, a0 * near0 + a1 * near1, (g * n0, g * n1, g * n2), m
+
+
+@jit_inline
+def physics_model(c, w, s0, s1, on0, on1, eps):
+    """e_physics = |r| at com c with needed force w, and its model in dw - phi dc: (|r|, phi, gradient, M).
+
+    c, w, the points of support s0, s1 and the gradient are triples; M is a lower triangle (00, 10, 11, 20, 21, 22). Of numbers
+    with bools on0, on1, or of lanes with masks (worlds.compiled.lanes). Two-column non-negative least squares: both legs where
+    both would push, or else the one that pushes more.
+    """
+    left, right = _leg(c, w, s0), _leg(c, w, s1)
+    k = left[0] * right[0] + left[1] * right[1] + left[2] * right[2]
+    both = on0 & on1 & (1 - k * k > _NEARLY_PARALLEL) & (left[4] > k * right[4]) & (right[4] > k * left[4])
+    r, phi, g, m = _single_model(w, left, right, on0, on1, eps)
+    r2, phi2, g2, m2 = _double_model(w, left, right, k, eps)
+    m = _either(both, m2[:3], m[:3]) + _either(both, m2[3:], m[3:])
+    return choose(both, r2, r), choose(both, phi2, phi), _either(both, g2, g), m
+
+
+@jit_borrowing
+def physics_cost(c0, c1, c2, w0, w1, w2, s, standing):
+    """e_physics [m/s^2] at com c with needed force w; s (2, 3) points of support, standing (2,)."""
+    s0, s1 = (s[0, 0], s[0, 1], s[0, 2]), (s[1, 0], s[1, 1], s[1, 2])
+    return physics_model((c0, c1, c2), (w0, w1, w2), s0, s1, standing[0], standing[1], 1.0)[0]
+
+
+@jit_inline
+def comfort_model(c, q, on, nominal_length, max_length, weight):
+    """weight * ((leg length - nominal)^2 + STRETCH * (what it is longer than max_length)^2) of one leg at com c.
+
+    (e, gradient, Gauss-Newton lower triangle), 0 unless `on`; of numbers or of lanes.
+    """
+    x, y, z = c[0] - q[0], c[1] - q[1], c[2] - q[2]
+    length = root(x * x + y * y + z * z) + 1e-300
+    inverse = 1 / length
+    x, y, z = x * inverse, y * inverse, z * inverse
+    soft = choose(on, weight, 0.0)
+    over = larger(length - max_length, 0.0)
+    hard = choose(over > 0, STRETCH * soft, 0.0)
+    stretch = length - nominal_length
+    e = soft * stretch * stretch + hard * over * over
+    g, h = 2 * (soft * stretch + hard * over), 2 * (soft + hard)
+    hx, hy, hz = h * x, h * y, h * z
+    return e, (g * x, g * y, g * z), (hx * x, hy * x, hy * y, hz * x, hz * y, hz * z)
+
+
+@jit_borrowing
+def reach_cost(c, q, standing, max_length, weight):
+    """Penalty of legs longer than max_length at com c (3,). q (2, 3), max_length (2,)."""
+    e = 0.0
+    for leg in range(2):
+        if standing[leg]:
+            x, y, z = c[0] - q[leg, 0], c[1] - q[leg, 1], c[2] - q[leg, 2]
+            over = max(sqrt(x * x + y * y + z * z) - max_length[leg], 0.0)
+            e += REACH_TIME * weight * over * over
+    return e
+
+
+@jit_borrowing
+def add_reach(c, q, standing, max_length, weight, h, g):
+    """Adds the Gauss-Newton block of the reach penalty in c: h (6, 8) [column, row], lower triangle; g (6,). Returns e."""
+    e = 0.0
+    for leg in range(2):
+        if standing[leg]:
+            u = (c[0] - q[leg, 0], c[1] - q[leg, 1], c[2] - q[leg, 2])
+            length = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
+            over = length - max_length[leg]
+            if over > 0:
+                stiffness = 2 * REACH_TIME * weight
+                e += 0.5 * stiffness * over * over
+                for i in range(3):
+                    g[i] += stiffness * over * u[i] / length
+                    for j in range(i + 1):
+                        h[j, i] += stiffness * u[i] * u[j] / (length * length)
+    return e

@@ -1,0 +1,246 @@
+"""The optimisation problem: segments, their samples, and E (paper, section 2.4).
+
+    E = sum over segments of T / S * sum over S samples of (e_physics + e_comfort),   samples at (j + 1/2) T / S
+
+Everything of a sample that does not depend on the unknown control points (who stands, points of support, where the leg
+begins) is laid down once; solvers then only move control points. Segments lie side by side, the last axis of every array, so
+that LANES of them are worked on at once (worlds.compiled.lanes).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from motion.com import cost
+from motion.track import spline
+from worlds.compiled.jit import jit, jit_borrowing, jit_inline
+from worlds.compiled.lanes import LANES, anywhere, lanes_of, load, total
+
+
+class Problem(NamedTuple):
+    """m segments with S samples each; world frame, SI units. M = m + LANES - 1: the rest is never read as a segment."""
+
+    time: np.ndarray  # (m + 1,) of the control points [s]
+    support_point: np.ndarray  # (S, 2, 3, M) point of support per foot [m]
+    leg_origin: np.ndarray  # (S, 2, 3, M) ankle minus the hip's offset from the com [m]: leg length = |com - this|
+    standing: np.ndarray  # (S, 2, M) bool
+    end_origin: np.ndarray  # (2, 2, 3, M) the same as leg_origin, at the beginning and the end of the segment
+    end_standing: np.ndarray  # (2, 2, M) bool
+    fixed: np.ndarray  # (m + 1,) bool: control points that may not move
+    nominal_length: np.ndarray  # (S, 2, M) of the standing legs [m]
+    max_length: np.ndarray  # (2,) of the left and right leg [m]; infinite: reach does not count
+    anchor: np.ndarray  # (6,) where the last control point is held by springs
+    anchor_stiffness: np.ndarray  # (2,) of its position [1/s/m] and velocity [s/m]; 0: free
+    comfort_weight: float  # [1/s^2/m]
+
+
+@jit
+def empty_problem(segments, samples, nominal_length, max_length, comfort_weight):
+    """A problem of that size with nobody standing and nothing fixed, all legs of one nominal length."""
+    wide = segments + LANES - 1
+    return Problem(
+        np.zeros(segments + 1),
+        np.zeros((samples, 2, 3, wide)),
+        np.zeros((samples, 2, 3, wide)),
+        np.zeros((samples, 2, wide), np.bool_),
+        np.zeros((2, 2, 3, wide)),
+        np.zeros((2, 2, wide), np.bool_),
+        np.zeros(segments + 1, np.bool_),
+        np.full((samples, 2, wide), nominal_length),
+        np.full(2, max_length),
+        np.zeros(6),
+        np.zeros(2),
+        comfort_weight,
+    )
+
+
+class Segments(NamedTuple):
+    """LANES segments from one on; beyond the last lie copies of it that count for nothing."""
+
+    duration: float  # lanes [s]
+    scale: float  # lanes: time per sample [s]
+    bend: float  # lanes: 1 / T^2
+    x: tuple  # of four lanes: the knots p0, T v0, p1, T v1 along each axis
+    y: tuple
+    z: tuple
+
+
+@jit_inline
+def _knots(control, at, duration, axis):
+    i, j, k, n = at
+    return (
+        lanes_of(control[i, axis], control[j, axis], control[k, axis], control[n, axis]),
+        duration * lanes_of(control[i, 3 + axis], control[j, 3 + axis], control[k, 3 + axis], control[n, 3 + axis]),
+        lanes_of(control[i + 1, axis], control[j + 1, axis], control[k + 1, axis], control[n + 1, axis]),
+        duration
+        * lanes_of(control[i + 1, 3 + axis], control[j + 1, 3 + axis], control[k + 1, 3 + axis], control[n + 1, 3 + axis]),
+    )
+
+
+@jit_inline
+def segments_from(problem, control, i):
+    """The Segments from i on."""
+    time, last = problem.time, len(problem.time) - 2
+    at = (i, min(i + 1, last), min(i + 2, last), min(i + 3, last))
+    j, k, n = at[1:]
+    duration = lanes_of(time[i + 1] - time[i], time[j + 1] - time[j], time[k + 1] - time[k], time[n + 1] - time[n])
+    counts = lanes_of(1.0, min(last - i, 1), min(max(last - i - 1, 0), 1), min(max(last - i - 2, 0), 1))
+    return Segments(
+        duration,
+        counts * duration / problem.support_point.shape[0],
+        1 / (duration * duration),
+        _knots(control, at, duration, 0),
+        _knots(control, at, duration, 1),
+        _knots(control, at, duration, 2),
+    )
+
+
+@jit_inline
+def _mix(weights, u):
+    """Sum of the four knots u by their weights."""
+    return weights[0] * u[0] + weights[1] * u[1] + weights[2] * u[2] + weights[3] * u[3]
+
+
+@jit_inline
+def state_of_sample(segments, h, b):
+    """com and needed force w = a - g, two triples, by the knots' weights h in the com and b in the acceleration, for T = 1."""
+    x, y, z = segments.x, segments.y, segments.z
+    com = (_mix(h, x), _mix(h, y), _mix(h, z))
+    bend = segments.bend
+    return com, (bend * _mix(b, x), bend * _mix(b, y), bend * _mix(b, z) + cost.GRAVITY)
+
+
+@jit_inline
+def _triple(array, j, leg, i):
+    """array[j, leg, :, i] and the next ones as three lanes."""
+    return load(array, (j, leg, 0, i)), load(array, (j, leg, 1, i)), load(array, (j, leg, 2, i))
+
+
+@jit_inline
+def physics_of_sample(problem, i, j, com, w, eps):
+    """motion.com.cost.physics_model of sample j of the segments from i on."""
+    s0, s1 = _triple(problem.support_point, j, 0, i), _triple(problem.support_point, j, 1, i)
+    return cost.physics_model(com, w, s0, s1, load(problem.standing, (j, 0, i)), load(problem.standing, (j, 1, i)), eps)
+
+
+@jit_inline
+def comfort_of_leg(problem, i, j, leg, com):
+    """motion.com.cost.comfort_model of one leg in sample j of the segments from i on."""
+    q, on = _triple(problem.leg_origin, j, leg, i), load(problem.standing, (j, leg, i))
+    nominal = load(problem.nominal_length, (j, leg, i))
+    return cost.comfort_model(com, q, on, nominal, problem.max_length[leg], problem.comfort_weight)
+
+
+@jit_inline
+def overreaches(problem, segments, i):
+    """Whether a leg is longer than max_length at an end of the segments from i on: rarely, and only then it costs."""
+    found = False
+    for end in range(2):
+        c = (segments.x[2 * end], segments.y[2 * end], segments.z[2 * end])
+        for leg in range(2):
+            q, on = _triple(problem.end_origin, end, leg, i), load(problem.end_standing, (end, leg, i))
+            x, y, z = c[0] - q[0], c[1] - q[1], c[2] - q[2]
+            limit = problem.max_length[leg]
+            found |= anywhere(on & (x * x + y * y + z * z > limit * limit))
+    return found
+
+
+@jit_borrowing
+def reach_cost(problem, control, i):
+    """The reach penalties at the ends of the segments from i on that can move."""
+    e = 0.0
+    for k in range(i, min(i + LANES, len(problem.time) - 1)):
+        for end in range(2):
+            if not problem.fixed[k + end]:
+                e += cost.reach_cost(
+                    control[k + end], problem.end_origin[end, :, :, k], problem.end_standing[end, :, k], problem.max_length,
+                    problem.comfort_weight,
+                )  # fmt: skip
+    return e
+
+
+@jit_borrowing
+def costs_from(problem, control, i, eps):
+    """The share in E of the LANES segments from i on: (as the solver smooths it, the true norm)."""
+    samples = problem.support_point.shape[0]
+    segments = segments_from(problem, control, i)
+    smooth, true = 0.0 * segments.scale, 0.0 * segments.scale
+    for j in range(samples):
+        s = (j + 0.5) / samples
+        com, w = state_of_sample(segments, spline.position_weights(s, 1.0), spline.acceleration_weights(s, 1.0))
+        r = physics_of_sample(problem, i, j, com, w, eps)[0]
+        comfort = comfort_of_leg(problem, i, j, 0, com)[0] + comfort_of_leg(problem, i, j, 1, com)[0]
+        smooth += cost.smooth_norm(r, eps) + comfort
+        true += r + comfort
+    reach = reach_cost(problem, control, i) if overreaches(problem, segments, i) else 0.0
+    return total(smooth * segments.scale) + reach, total(true * segments.scale) + reach
+
+
+@jit_borrowing
+def anchor_cost(problem, control):
+    """Energy of the springs that hold the last control point."""
+    e, last = 0.0, len(control) - 1
+    for k in range(6):
+        e += 0.5 * problem.anchor_stiffness[k // 3] * (control[last, k] - problem.anchor[k]) ** 2
+    return e
+
+
+@jit_borrowing
+def total_costs(problem, control, eps):
+    """E of control (m + 1, 6): (smoothed, true)."""
+    smooth = true = anchor_cost(problem, control)
+    for i in range(0, len(problem.time) - 1, LANES):
+        a, b = costs_from(problem, control, i, eps)
+        smooth += a
+        true += b
+    return smooth, true
+
+
+@jit_borrowing
+def total_cost(problem, control):
+    """E of control (m + 1, 6)."""
+    return total_costs(problem, control, 1.0)[1]
+
+
+@jit
+def straight_guess(problem, control, first):
+    """Control points that are not fixed, from `first` on: above the mean of the feet under them, moving with them."""
+    m = len(problem.time) - 1
+    last_sample = problem.support_point.shape[0] - 1
+    for i in range(first, m + 1):
+        if problem.fixed[i]:
+            continue
+        sums = np.zeros(3)
+        found = _add_origins(problem, max(i - 1, 0), last_sample, sums) + _add_origins(problem, min(i, m - 1), 0, sums)
+        control[i, :3] = sums / max(found, 1)
+        control[i, 2] += 0.97 * problem.nominal_length[0, 0, min(i, m - 1)]
+    for i in range(first, m + 1):
+        if not problem.fixed[i]:
+            _guess_velocity(problem, control, i)
+
+
+@jit
+def _add_origins(problem, i, j, sums):
+    found = 0
+    for leg in range(2):
+        if problem.standing[j, leg, i]:
+            sums += problem.leg_origin[j, leg, :, i]
+            found += 1
+    return found
+
+
+@jit_borrowing
+def _guess_velocity(problem, control, i):
+    """Slope through the neighbours; beside a flight (both feet off at the middle sample) the ballistic one."""
+    m = len(problem.time) - 1
+    before, after = max(i - 1, 0), min(i + 1, m)
+    time = problem.time
+    for axis in range(3):
+        control[i, 3 + axis] = (control[after, axis] - control[before, axis]) / (time[after] - time[before])
+    middle = problem.support_point.shape[0] // 2
+    for segment, sign in ((i, 0.5), (i - 1, -0.5)):
+        if 0 <= segment < m and not (problem.standing[middle, 0, segment] or problem.standing[middle, 1, segment]):
+            duration = time[segment + 1] - time[segment]
+            for axis in range(3):
+                control[i, 3 + axis] = (control[segment + 1, axis] - control[segment, axis]) / duration
+            control[i, 5] += sign * cost.GRAVITY * duration

@@ -1,0 +1,137 @@
+"""How good a motion is, from recorded arrays: F frames of one character, feet in the order LEFT, RIGHT.
+
+Of a sole three points are looked at, in the order HEEL, BALL, TOE: sole (F, 2, 3, 3). While its foot stands, those of them
+that are on the ground must not move, however the foot rolls: at first perhaps the heel alone, then all, then ball and toe.
+"""
+
+import numpy as np
+
+from motion.com import cost
+from motion.track import phases
+from worlds.compiled.jit import jit
+
+PHASES = {"left": phases.LEFT_STANCE, "right": phases.RIGHT_STANCE, "double": phases.DOUBLE_STANCE}
+PHASES |= {"flight": phases.FLIGHT}
+HEEL, BALL, TOE = 0, 1, 2
+ON_GROUND = 1e-5
+"""A point of the sole less than this [m] higher than the lowest of them is on the ground; a sole that floats has one too."""
+
+
+def stance_slide(toe: np.ndarray, contact: np.ndarray) -> float:
+    """Largest way of a toe [m] from one frame to the next while its foot is on the ground. toe (F, 2, 3), contact (F, 2)."""
+    held = contact[1:] & contact[:-1]
+    way = np.linalg.norm(np.diff(toe, axis=0), axis=2)
+    return float(way[held].max(initial=0.0))
+
+
+def footing(time: np.ndarray, contact: np.ndarray, prints: dict[str, np.ndarray]) -> np.ndarray:
+    """Footprint (F, 2) on which each foot stands, -1 in the air. prints: arrays (K, ...) of one character, by contact time."""
+    out = np.full(contact.shape, -1)
+    for foot in range(2):
+        own = np.flatnonzero(prints["side"] == foot)
+        last = np.searchsorted(prints["contact_time"][own], time + phases.SHORTEST_PHASE, side="right") - 1
+        if len(own):
+            out[:, foot] = np.where(contact[:, foot] & (last >= 0), own[np.maximum(last, 0)], -1)
+    return out
+
+
+def marks(prints: dict[str, np.ndarray], foot_length: float, ball_forward: float) -> np.ndarray:
+    """Where heel, ball and toe of each footprint are (K, 3, 3) [m], as motion.track.foot.along_sole lays them."""
+    c, s, n = np.cos(prints["heading"]), np.sin(prints["heading"]), prints["normal"]
+    axis = np.column_stack([c, s, -(n[:, 0] * c + n[:, 1] * s) / n[:, 2]])
+    axis /= np.linalg.norm(axis, axis=1)[:, None]
+    along = np.array([-0.5 * foot_length, ball_forward, 0.5 * foot_length])
+    return prints["position"][:, None] + along[None, :, None] * axis[:, None]
+
+
+def on_ground(sole: np.ndarray, stands: np.ndarray, prints: dict[str, np.ndarray]) -> np.ndarray:
+    """Which points of the sole carry (F, 2, 3) bool: the lowest over the plane of the footprint `stands` (F, 2)."""
+    up, origin = prints["normal"][stands], prints["position"][stands]
+    height = np.einsum("fsek,fsk->fse", sole - origin[:, :, None], up)
+    return (height <= height.min(axis=2, keepdims=True) + ON_GROUND) & (stands >= 0)[:, :, None]
+
+
+def skate(sole: np.ndarray, down: np.ndarray, stands: np.ndarray) -> tuple[float, float]:
+    """Largest (horizontal, total) displacement [m] of a point on the ground (`down`) from where its stance put it down."""
+    horizontal, total = 0.0, 0.0
+    for foot, point in np.ndindex(2, 3):
+        frames = np.flatnonzero(down[:, foot, point])
+        first = frames[np.searchsorted(stands[frames, foot], stands[frames, foot])]
+        way = sole[frames, foot, point] - sole[first, foot, point]
+        horizontal = max(horizontal, float(np.linalg.norm(way[:, :2], axis=1).max(initial=0.0)))
+        total = max(total, float(np.linalg.norm(way, axis=1).max(initial=0.0)))
+    return horizontal, total
+
+
+def footprint_error(sole: np.ndarray, down: np.ndarray, stands: np.ndarray, places: np.ndarray) -> float:
+    """Largest distance [m] of a point on the ground from that of its footprint. places: marks (K, 3, 3)."""
+    return float(np.linalg.norm(sole - places[stands], axis=3)[down].max(initial=0.0))
+
+
+def contact_error(time: np.ndarray, contact: np.ndarray, prints: dict[str, np.ndarray]) -> int:
+    """Most frames in a row in which a foot stands though by its footprints' times it should not, or the other way round."""
+    worst = 0
+    for foot in range(2):
+        own = prints["side"] == foot
+        begin, end = prints["contact_time"][own], prints["contact_time"][own] + prints["stance_time"][own]
+        wrong = np.ones(len(time), bool)
+        for slack in (-phases.SHORTEST_PHASE, phases.SHORTEST_PHASE):
+            t = time + slack
+            due = np.searchsorted(begin, t, side="right") > np.searchsorted(end, t, side="right")
+            wrong &= due != contact[:, foot]
+        edges = np.flatnonzero(np.diff(np.concatenate([[False], wrong, [False]]).astype(int)))
+        worst = max(worst, int((edges[1::2] - edges[::2]).max(initial=0)))
+    return worst
+
+
+def penetration(points: np.ndarray, ground: np.ndarray) -> float:
+    """Deepest point below the ground [m]. points (..., 3), ground (...) height of the ground below each."""
+    return float(np.maximum(ground - points[..., 2], 0).max(initial=0.0))
+
+
+def swing_clearance(height: np.ndarray, contact: np.ndarray) -> float | None:
+    """Least height over the ground [m] at the middle of any swing; None without any. height (F, 2), contact (F, 2)."""
+    least = []
+    for foot in range(2):
+        edges = np.flatnonzero(np.diff(contact[:, foot].astype(int)))
+        begin, end = edges[:-1], edges[1:]
+        swings = contact[begin, foot] & (end - begin > 4)
+        least += height[((begin + end) // 2 + 1)[swings], foot].tolist()
+    return min(least, default=None)
+
+
+def overreach(hip: np.ndarray, ankle: np.ndarray, max_length: float) -> float:
+    """Largest length of a virtual leg beyond max_length [m]."""
+    return float(np.maximum(np.linalg.norm(hip - ankle, axis=2) - max_length, 0).max(initial=0.0))
+
+
+def flight_residual(acceleration: np.ndarray, phase: np.ndarray) -> float:
+    """Mean |a - g| over the frames of flight [m/s^2]; 0 without any."""
+    flying = phase == phases.FLIGHT
+    g = np.array([0.0, 0.0, -cost.GRAVITY])
+    return float(np.linalg.norm(acceleration[flying] - g, axis=1).mean()) if flying.any() else 0.0
+
+
+def by_phase(values: np.ndarray, phase: np.ndarray) -> dict[str, dict[str, float]]:
+    """Mean, peak and share of the frames, per phase and over all."""
+    report = {"all": {"mean": float(values.mean()), "peak": float(values.max()), "share": 1.0}}
+    for name, code in PHASES.items():
+        part = values[phase == code]
+        if len(part):
+            report[name] = {"mean": float(part.mean()), "peak": float(part.max()), "share": len(part) / len(values)}
+    return report
+
+
+def physics_cost(com, acceleration, point_of_support, contact) -> np.ndarray:
+    """The physics cost (F,) from a recording's own arrays (paper, section 2.4): what the recorded one must equal."""
+    out = np.empty(len(com))
+    support = np.nan_to_num(np.ascontiguousarray(point_of_support))
+    _physics_costs(np.ascontiguousarray(com), np.ascontiguousarray(acceleration), support, np.ascontiguousarray(contact), out)
+    return out
+
+
+@jit
+def _physics_costs(com, a, support, contact, out):
+    for f in range(len(com)):
+        w2 = a[f, 2] + cost.GRAVITY
+        out[f] = cost.physics_cost(com[f, 0], com[f, 1], com[f, 2], a[f, 0], a[f, 1], w2, support[f], contact[f])

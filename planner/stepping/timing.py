@@ -1,0 +1,101 @@
+"""Timing from the distance stepped (paper, section 4.1 and Fig. 12).
+
+Dynamic similarity (Alexander 1976; coefficient for bipeds by Ruiz & Torices 2013): a stride S = 2s at hip height h goes at
+
+    v = 0.226 sqrt(g) S^1.67 h^-1.17,   step time b = s / v,   Froude number Fr = v^2 / (g h)
+
+Duty factor: walking_duty - 0.104 sqrt(Fr) while walking (walking_duty is near 0.65), 0.344 while running, which begins near
+Fr = 0.5; stance time a = 2 beta b.
+A step longer than the character's leap_length is a leap: its flight is ballistic, t = sqrt(2 d tan(alpha) / g).
+"""
+
+from math import exp, sqrt, tan
+
+from worlds.compiled.jit import jit_borrowing
+
+GRAVITY = 9.81
+RUNS_FROM = 0.5
+"""Froude number at which walking gives way to running."""
+RUNNING_DUTY = 0.344
+SHORTEST_STEP = 0.75
+LONGEST_STEP = 2.2
+"""Step time of a walk in pendulum times sqrt(h / g): shorter is scurrying, longer is dawdling."""
+HURRIED = 1.3
+"""Longest step time of those whom others hinder: in a throng, short steps are quick ones."""
+LEAST_SWING = 0.9
+"""Shortest time for a swing, in pendulum times."""
+PUSH, LEAST_PUSH, COVER = 0.9, 0.5, 1.3
+"""Stance before a leap: longest and shortest, in pendulum times, and in times that the leg's reach is crossed at its speed."""
+DESCENT_CROUCH = 0.25
+"""Share by which the nominal leg is shorter for a step one hip height down: legs bend to take it."""
+SNAP = 0.02
+"""Overlaps and flights shorter than this [s] become none: a sliver of a phase is not to be seen."""
+
+
+@jit_borrowing
+def pendulum_time(b):
+    """sqrt(h / g) [s]: the unit of time of a leg."""
+    return sqrt(b.hip_height / GRAVITY)
+
+
+@jit_borrowing
+def speed(length, hip_height):
+    """Speed [m/s] of a gait with this step length [m]."""
+    return 0.226 * sqrt(GRAVITY) * (2 * length) ** 1.67 * hip_height**-1.17
+
+
+@jit_borrowing
+def duty_factor(froude, smoothness, slowest):
+    """Share of the stride that a foot stands; smoothness 0 changes to the run abruptly, 1 over a wide range; slowest: the
+    share at the slowest walk."""
+    walking = max(slowest - 0.104 * sqrt(froude), RUNNING_DUTY)
+    width = 0.02 + 0.25 * smoothness
+    running = 1 / (1 + exp(-min(max((froude - RUNS_FROM) / width * 4, -50.0), 50.0)))
+    return walking + running * (RUNNING_DUTY - walking)
+
+
+@jit_borrowing
+def nominal_length(b, length, step_time, rise):
+    """Comfortable virtual leg [m] at a step of this length and rise [m] in this time [s]: shorter the faster, and downhill."""
+    froude = (length / step_time) ** 2 / (GRAVITY * b.hip_height)
+    return b.nominal_length * (1 - b.run_crouch * min(froude, 1.0) - DESCENT_CROUCH * max(-rise, 0.0) / b.hip_height)
+
+
+@jit_borrowing
+def least_step_time(b, overlap):
+    """Shortest step time after an overlap [s] of double stance, so that the leg has time to swing."""
+    return max(overlap, 0.0) + LEAST_SWING * pendulum_time(b)
+
+
+@jit_borrowing
+def _snap(step, stance):
+    if abs(stance - step) < SNAP:
+        return step
+    return stance
+
+
+@jit_borrowing
+def step_timing(b, length, rise, turn, same_side, longest=LONGEST_STEP):
+    """(step time, stance time) [s] of the footprint that a step leaves.
+
+    length [m] horizontal, rise [m], turn [rad] >= 0; a hop on the same side is a leap of any length. longest: step time of a
+    walk, in pendulum times.
+    """
+    unit = pendulum_time(b)
+    slower = 1 + b.turn_slowdown * turn + b.rise_slowdown * abs(rise) / b.hip_height
+    if length > b.leap_length or same_side:
+        return _leap(b, length, rise, slower)
+    v = speed(max(length, 1e-3), b.hip_height)
+    step = min(max(length / v, SHORTEST_STEP * unit), longest * unit) * slower
+    froude = (length / step) ** 2 / (GRAVITY * b.hip_height)
+    return step, _snap(step, 2 * duty_factor(froude, b.gait_smoothness, b.walking_duty) * step)
+
+
+@jit_borrowing
+def _leap(b, length, rise, slower):
+    """Ballistic: d = v^2 sin(2 alpha) / g gives t^2 = 2 (d tan(alpha) - rise) / g; part of d is covered while standing."""
+    distance = max(length - 0.5 * b.leap_length, 0.3 * length)
+    flight = sqrt(2 * max(distance * tan(b.takeoff_angle) - rise, 0.04 * b.hip_height) / GRAVITY)
+    crossing = 0.5 * b.leap_length * flight / distance
+    stance = min(max(COVER * crossing, LEAST_PUSH * pendulum_time(b)), PUSH * pendulum_time(b)) * slower
+    return stance + flight, stance

@@ -1,0 +1,86 @@
+"""Recordings: a run as arrays in one .npz file, without pickles, written whole or not at all."""
+
+import platform
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+
+import numpy as np
+
+from motion.pose.pose import Pose
+from sim.files import archive
+from sim.stage.cast import Cast
+from worlds.world import World
+
+FORMAT = 1
+RATE = 60
+"""Frames per second of simulated time."""
+NEEDED = ("time", "com", "contact", "phase", "physics_cost", "footprint_position")
+
+
+class Recorder:
+    """Collects frames of a simulation. Memory grows with the frames: about 600 bytes per character and frame."""
+
+    def __init__(self, sim: Cast) -> None:
+        self.sim = sim
+        sim.footprints.keep(sim.crowd)
+        self.time: list[float] = []
+        self.poses: list[Pose] = []
+
+    def capture(self, time: float | None = None) -> None:
+        """Adds the present moment, or another of the last step [s], as a frame."""
+        self.time.append(self.sim.time if time is None else time)
+        self.poses.append(self.sim.snapshot(self.time[-1]))
+
+    def arrays(self) -> dict[str, np.ndarray]:
+        """All arrays of the file (names and shapes in README, Recordings)."""
+        frames = {name: np.array([getattr(pose, name) for pose in self.poses]) for name in Pose._fields}
+        world = self.sim.world
+        return {
+            "time": np.array(self.time),
+            **frames,
+            **self.sim.footprints.arrays(self.sim.crowd),
+            "tree": world.arrays.trees,
+            "rock": world.arrays.rocks,
+            "bounds": world.arrays.bounds,
+        }
+
+    def recording(self) -> "Recording":
+        """What has been collected so far, as `load_recording` would read it."""
+        return Recording(self.arrays(), self._meta())
+
+    def _meta(self) -> dict:
+        sim = self.sim
+        packages = {name: version(name) for name in ("numpy", "numba")}
+        return {
+            "format": FORMAT,
+            "program": "footfall",
+            "level": sim.world.name,
+            "seed": sim.seed,
+            "rate": sim.tick_rate,
+            "characters": [character.to_dict() for character in sim.characters],
+            "world": sim.world.to_dict(),
+            "versions": {"python": platform.python_version(), **packages},
+        }
+
+    def save(self, path: str | Path) -> None:
+        """Writes the recording. Raises InputError where it cannot be written."""
+        archive.write(path, self.arrays(), self._meta())
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A recorded run: its arrays by name, its meta, and the world it ran in."""
+
+    arrays: dict[str, np.ndarray]
+    meta: dict
+
+    @property
+    def world(self) -> World:
+        """The world as it was at the end of the run."""
+        return World.from_dict(self.meta["world"])
+
+
+def load_recording(path: str | Path) -> Recording:
+    """Reads a recording. Raises InputError for files that are none, or damaged."""
+    return Recording(*archive.read(path, "a recording", "--record RUN.npz", NEEDED, FORMAT))

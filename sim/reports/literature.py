@@ -1,0 +1,101 @@
+"""The human on the flat with automatic timing, beside what is known of people.
+
+Ranges: speed, bob (vertical) and sway (lateral motion of the com, peak to peak), double support and flight of adults at these
+steps; walking changes to running near Froude number 0.5 (Alexander); the com is highest at mid-stance in walking, an inverted
+pendulum, and lowest in running, a spring (Cavagna).
+"""
+
+from typing import NamedTuple
+
+from motion.characters.biped import load_biped
+from planner.script.scene import Print, Scene
+from sim.files.recording import Recorder
+from sim.reports.measure import measure
+from sim.reports.timings import run_from
+from sim.stage.performance import Performance
+from worlds.world import World
+
+WALK, RUN = 0.7, 1.04
+"""Steps [m] of the walk and of the run."""
+STEADY, SETTLING = 24, 6
+"""Steps of that length, and how many of them at either end are not looked at."""
+SPEED_UP = {WALK: (0.4, 0.6), RUN: (0.5, 0.8, 0.95)}
+
+
+class Row(NamedTuple):
+    """A figure of ours, and the range (inclusive) in which people's lie."""
+
+    what: str
+    unit: str
+    value: float
+    low: float
+    high: float
+
+    @property
+    def fits(self) -> bool:
+        """Whether ours lies in the range."""
+        return self.low <= self.value <= self.high
+
+
+def straight(step: float, character: str = "human") -> Scene:
+    """A character that walks straight on, from standing to steady steps of this length [m] and back to standing."""
+    lengths = [*SPEED_UP[step], *[step] * STEADY, *SPEED_UP[step][::-1]]
+    width = float(load_biped(character).record.step_width)
+    x, prints = 1.0, [_print(1, 1.0, width), _print(0, 1.0, width)]
+    for k, length in enumerate([*lengths, 0.0]):
+        x += length
+        prints.append(_print((k + 1) % 2, x, width))
+    world = World("flat", (x + 2, 4.0), start=(1.0, 2.0))
+    return Scene(f"steps of {step} m", "", "", character, world, 0.4, 0.6, tuple(prints), None)
+
+
+def _print(side: int, x: float, width: float) -> Print:
+    return Print(side="right" if side else "left", position=(x, 2.0 + (0.5 - side) * width))
+
+
+def steady(step: float) -> dict:
+    """The report of `measure` over the steady steps of that length alone."""
+    show = Performance(straight(step))
+    recorder = Recorder(show)
+    begin, end = (show.footprints.arrays(show.crowd)["footprint_contact_time"][k] for k in _looked_at(step))
+    while show.time < end:
+        show.tick()
+        if show.time >= begin:
+            recorder.capture()
+    return measure(recorder.recording())["characters"][0]
+
+
+def _looked_at(step: float) -> tuple[int, int]:
+    first = 2 + len(SPEED_UP[step]) + SETTLING
+    return first, first + STEADY - 2 * SETTLING
+
+
+def compare() -> list[Row]:
+    """Every figure with its range."""
+    walk, run, change = steady(WALK)["gait"], steady(RUN)["gait"], run_from(load_biped("human"))
+    return [
+        Row("walk, 0.7 m steps: speed", "m/s", walk["speed"], 1.33, 1.45),
+        Row("walk: bob", "cm", 100 * walk["bob"], 2.5, 5.5),
+        Row("walk: sway", "cm", 100 * walk["sway"], 3.0, 6.0),
+        Row("walk: double support", "%", 100 * walk["double_support"], 20.0, 26.0),
+        Row("walk: height at mid-stance, 1 highest", "", walk["height_at_midstance"], 0.8, 1.0),
+        Row("run, 1.04 m steps: speed", "m/s", run["speed"], 2.5, 2.9),
+        Row("run: flight", "%", 100 * run["flight"], 22.0, 32.0),
+        Row("run: bob", "cm", 100 * run["bob"], 6.0, 11.0),
+        Row("run: height at mid-stance, 0 lowest", "", run["height_at_midstance"], 0.0, 0.2),
+        Row("Froude number where walking changes to running", "", change["froude"] if change else float("inf"), 0.4, 0.6),
+    ]
+
+
+def as_dict(rows: list[Row]) -> dict:
+    """The table for JSON."""
+    return {"rows": [{**row._asdict(), "fits": row.fits} for row in rows], "fits": all(row.fits for row in rows)}
+
+
+def in_words(rows: list[Row]) -> str:
+    """The table for people, in Markdown."""
+    lines = ["| human, automatic timing | here | people | |", "|---|---|---|---|"]
+    for row in rows:
+        ours = f"{row.value:.3g} {row.unit}".rstrip()
+        lines.append(f"| {row.what} | {ours} | {row.low:g} to {row.high:g} | {'fits' if row.fits else 'does NOT fit'} |")
+    return "\n".join(lines)

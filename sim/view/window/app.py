@@ -1,0 +1,192 @@
+"""What the window shows, and what keys and mouse do to it: no GL, no pygame."""
+
+import time as clock
+
+import numpy as np
+
+from motion.characters.biped import character_names
+from sim.stage.cast import Cast
+from sim.view.graphics.camera import Camera
+from sim.view.window import picking
+from worlds.errors import InputError
+
+FRAME = 1 / 60
+"""No more pictures than one in this time [s]."""
+MOST_TICKS, TICKING = 6, 0.05
+"""Ticks that a frame makes up for after a stall, and seconds that it gives them; the rest of the backlog is dropped, so that
+a crowd too large for real time slows down instead of stopping the pictures."""
+HELP = (
+    "space  pause        .  single tick       [ ]  slower, faster",
+    "c  character        o  overlays          f  follow      v  plan view",
+    "r  restart          n  next level        tab  panel     h  help     esc  quit",
+    "a  everyone         left, right, or a click on it: the character to follow",
+    "drag: orbit   wheel: zoom   G+click: goal   T+click: tree   K+click: rock   X+click: remove",
+)
+
+
+def tick_for(sim: Cast, ticks: int, seconds: float = TICKING) -> int:
+    """Lets the simulation tick, at most MOST_TICKS and not much longer than `seconds` of wall time; returns how often."""
+    begin, done = clock.perf_counter(), 0
+    while done < min(ticks, MOST_TICKS) and (done == 0 or clock.perf_counter() - begin < seconds):
+        sim.tick()
+        done += 1
+    return done
+
+
+class App:
+    """What the window shows and what keys and mouse do to it. Owns no GL: `screen` draws it."""
+
+    def __init__(self, make, sim: Cast, options, levels: list[str]) -> None:
+        self.make, self.sim, self.levels = make, sim, levels
+        self.level, self.character, self.seed = options.level, options.character, options.seed
+        self.camera = Camera()
+        self.until: float | None = getattr(options, "seconds", None)
+        self.paused, self.speed, self.running = False, 1.0, True
+        self.show_overlays, self.show_panel, self.show_help = True, True, False
+        self.focus, self.behind, self.message = 0, 0.0, ""
+        self.in_view, self.ticking = 0, TICKING
+        self.pressed: tuple[int, int] | None = None
+        self._tool: str | None = None
+        self._reset_view()
+
+    def _reset_view(self) -> None:
+        """Looks at the first character; where there are others, from so far that a crowd is seen."""
+        self.focus, self.behind = 0, 0.0
+        self.camera.meet(self.sim.com(), 0, 6.5 * self._unit())
+        self.camera.follow = True
+
+    def _unit(self) -> float:
+        """Leg length of the character that is followed [m]."""
+        return float(self.sim.bipeds["nominal_length"][self.sim.crowd.kind[self.focus]])
+
+    def advance(self, seconds: float) -> None:
+        """Lets wall time pass: whole ticks, at most MOST_TICKS."""
+        if self.paused:
+            return
+        self.behind += seconds * self.speed * self.sim.tick_rate
+        self.behind -= tick_for(self.sim, min(int(self.behind), self.ticks_left()), self.ticking)
+        self.behind = min(self.behind, 1.0)
+
+    def ticks_left(self) -> int:
+        """Ticks until --seconds are over; without them, no end is near."""
+        return MOST_TICKS if self.until is None else max(int(round(self.until * self.sim.tick_rate)) - self.sim.ticks, 0)
+
+    def rebuild(self) -> None:
+        """Starts over with the present level and character; says so where that cannot be, and keeps what runs."""
+        from planner.river.rock_hop import NoWay
+
+        try:
+            self.sim = self.make(self.level, self.character, self.seed)
+        except (InputError, NoWay) as error:
+            self.message = str(error)
+            return
+        self.message = self.sim.world.name
+        self._reset_view()
+
+    def key(self, name: str) -> None:
+        """A key was pressed."""
+        actions = {
+            "space": self._pause, ".": self._single, "[": self._slower, "]": self._faster, "c": self._next_character,
+            "o": self._overlays, "f": self._follow, "v": self._plan, "r": self.rebuild, "n": self._next_level,
+            "tab": self._panel, "h": self._help, "escape": self._quit, "a": self._everyone, "left": self._previous,
+            "right": self._next,
+        }  # fmt: skip
+        if name in actions:
+            actions[name]()
+        elif name in "gtkx":
+            self._tool = name
+
+    def key_up(self, name: str) -> None:
+        """A key was let go."""
+        if name == self._tool:
+            self._tool = None
+
+    def _pause(self) -> None:
+        self.paused = not self.paused
+
+    def _single(self) -> None:
+        self.paused = True
+        self.sim.tick()
+
+    def _slower(self) -> None:
+        self.speed = max(self.speed / 2, 1 / 16)
+
+    def _faster(self) -> None:
+        self.speed = min(self.speed * 2, 4.0)
+
+    def _next_character(self) -> None:
+        names = character_names()
+        at = names.index(self.character) if self.character in names else -1
+        self.character = names[(at + 1) % len(names)]
+        self.rebuild()
+
+    def _next_level(self) -> None:
+        place = self.levels.index(self.level) if self.level in self.levels else -1
+        self.level = self.levels[(place + 1) % len(self.levels)]
+        self.rebuild()
+
+    def _overlays(self) -> None:
+        self.show_overlays = not self.show_overlays
+
+    def _follow(self) -> None:
+        self.camera.follow = not self.camera.follow
+
+    def _plan(self) -> None:
+        self.camera.plan = not self.camera.plan
+
+    def _everyone(self) -> None:
+        """An overview: all characters in view, nobody followed."""
+        com = self.sim.com()
+        middle = 0.5 * (com.min(axis=0) + com.max(axis=0))
+        self.camera.frame(middle, float(np.linalg.norm(com - middle, axis=1).max()), 6.5 * self._unit())
+        self.camera.follow = False
+
+    def _previous(self) -> None:
+        self.follow((self.focus - 1) % len(self.sim.characters))
+
+    def _next(self) -> None:
+        self.follow((self.focus + 1) % len(self.sim.characters))
+
+    def follow(self, character: int) -> None:
+        """Follows another character; comes near where it would be too small to see."""
+        self.focus, self.camera.follow = character, True
+        self.camera.distance = min(self.camera.distance, 14.0 * self._unit())
+
+    def _panel(self) -> None:
+        self.show_panel = not self.show_panel
+
+    def _help(self) -> None:
+        self.show_help = not self.show_help
+
+    def _quit(self) -> None:
+        self.running = False
+
+    def drag(self, dx: float, dy: float) -> None:
+        """The mouse moved with a button down."""
+        self.camera.orbit(dx, dy)
+
+    def click(self, x: float, y: float, aspect: float) -> None:
+        """A click at x, y in -1..1 (y up): what it does depends on the key that is held; without one it follows."""
+        ray = self.camera.ray(x, y, aspect)
+        if self._tool:
+            place = picking.ground_point(self.sim.world, *ray)
+            if place is not None:
+                self.edit(self._tool, *place)
+        else:
+            found = picking.character_at(self.sim.com(), 0.7 * self._unit(), *ray)
+            if found is not None:
+                self.follow(found)
+
+    def edit(self, tool: str, x: float, y: float) -> None:
+        """g: goal, t: plant a tree, k: put a rock, x: remove the nearest tree or rock. Refuses what would trap someone."""
+        from planner.river.rock_hop import NoWay
+
+        before = self.sim.world
+        world, self.message = picking.edited(before, tool, x, y, self.sim.standing_on()[:, :, 1:3].reshape(-1, 2))
+        if world is before:
+            return
+        try:
+            self.sim.set_world(world)
+        except NoWay as error:
+            self.message = str(error)
+            self.sim.world = before
