@@ -7,8 +7,8 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from motion.characters.biped import load_biped  # noqa: E402
-from planner.wandering import Wander  # noqa: E402
+from motion.characters.character import load_character  # noqa: E402
+from planner.modes.wander import Wander  # noqa: E402
 from sim.bench.crowds import open_forest  # noqa: E402
 from sim.stage.simulation import Simulation  # noqa: E402
 
@@ -21,7 +21,7 @@ def resident_mb() -> float:
 
 def main() -> None:
     count, minutes = (int(sys.argv[k]) if len(sys.argv) > k else usual for k, usual in ((1, 300), (2, 60)))
-    sim = Simulation(open_forest(count), [load_biped("bird")] * count, Wander(), 1)
+    sim = Simulation(open_forest(count), [load_character("bird")] * count, Wander(), 1)
     for minute in range(minutes + 1):
         if minute % 10 == 0:
             print(f"{minute} min: {resident_mb():.1f} MB, {sim.footprints.steps} steps", flush=True)

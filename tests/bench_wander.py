@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from planner.stepping.timing import step_timing  # noqa: E402
-from sim.cli.commands import make_simulation  # noqa: E402
+from sim.stage.making import make_simulation  # noqa: E402
 from worlds import queries  # noqa: E402
 
 LEVELS = ("forest", "dense_forest", "hills", "forest_river")
@@ -20,7 +20,7 @@ CHARACTERS = ("bird", "human", "dinosaur", "ostrich")
 def wander(level: str, character: str, seed: int, seconds: int) -> dict[str, float]:
     """Clearances of the footprints [m], share of the walking speed, physics cost [m/s^2], penetration and overreach [mm]."""
     sim = make_simulation(level, character, 1, seed, False)
-    sim.footprints.keep(sim.crowd)
+    sim.keep_footprints()
     w, b, last, distance = sim.world.arrays, sim.bipeds[0], None, 0.0
     physics, deep, over = [], 0.0, 0.0
     for k in range(seconds * 60):
@@ -32,9 +32,9 @@ def wander(level: str, character: str, seed: int, seconds: int) -> dict[str, flo
         last = p.com[0, :2].copy()
         physics.append(p.physics_cost[0])
         deep = max(deep, *(queries.ground_height(w, x, y) - z for x, y, z in (*p.heel[0], *p.toe[0])))
-        over = max(over, float(np.linalg.norm(p.hip - p.ankle, axis=-1).max() - b.max_length))
+        over = max(over, float(np.linalg.norm(p.hip - p.ankle, axis=-1).max() - b.leg.max_length))
     feet = sim.footprints.arrays(sim.crowd)["footprint_position"]
-    speed = b.preferred_step / step_timing(b, b.preferred_step, 0.0, 0.0, False)[0]
+    speed = b.gait.preferred_step / step_timing(b, b.gait.preferred_step, 0.0, 0.0, False)[0]
     return {
         "tree": min(queries.tree_clearance(w, x, y) for x, y, _ in feet),
         "water": min(queries.water_clearance(w, x, y) for x, y, _ in feet),

@@ -3,9 +3,9 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
-from motion.characters.biped import load_biped
-from planner.walking import WalkTo
-from planner.wandering import Wander
+from motion.characters.character import load_character
+from planner.modes.walk_to import WalkTo
+from planner.modes.wander import Wander
 from sim.stage.simulation import Simulation
 from worlds import queries
 from worlds.scatter import Scatter, scattered
@@ -19,13 +19,13 @@ def forest(count: int, side: float, character: str = "bird", seed: int = 1) -> S
     """Wanderers in a forest of a tree per 15 m^2."""
     bare = World("crowded forest", (side, side), start=(side / 2, side / 2))
     world = scattered(bare, Scatter(seed=seed, trees=int(side * side / 15), tree_spacing=1.4, clear=1.0))
-    return Simulation(world, [load_biped(character)] * count, Wander(), seed)
+    return Simulation(world, [load_character(character)] * count, Wander(), seed)
 
 
 def streams(count: int, character: str = "bird", gap: float = 3.0, seed: int = 1) -> Simulation:
     """Two streams of `count` characters each, head-on through a gap between two walls of trees."""
-    b = load_biped(character).record
-    pitch, rows = 2 * float(b.body_radius) + 0.5, 4
+    biped = load_character(character).biped
+    pitch, rows = 2 * float(biped.body.radius) + 0.5, 4
     columns = -(-count // rows)
     size = (2 * (2 * pitch * columns + 5.0), max(14.0, 2 * pitch * rows + 6))
     middle = size[1] / 2
@@ -39,12 +39,12 @@ def streams(count: int, character: str = "bird", gap: float = 3.0, seed: int = 1
     begin = np.concatenate([np.stack([-from_gap, aside, 0 * aside], 1), np.stack([from_gap, aside, 0 * aside + np.pi], 1)])
     end = np.concatenate([np.stack([beyond, apart], 1), np.stack([-beyond, apart], 1)])
     begin[:, :2] += size[0] / 2, middle
-    lane = np.clip(aside, 2 * b.body_radius - gap / 2, gap / 2 - 2 * b.body_radius)
+    lane = np.clip(aside, 2 * biped.body.radius - gap / 2, gap / 2 - 2 * biped.body.radius)
     past = 0.3 * gap + 0.5  # a stop just behind the gap: whoever is shoved aside, or back, would walk at the wall
     gate = np.concatenate([np.stack([0 * lane + past, lane], 1), np.stack([0 * lane - past, lane], 1)])
     stops = np.stack([gate, end], axis=1) + (size[0] / 2, middle)
     world = World("gap", size, trees=np.array(trunks))
-    return Simulation(world, [load_biped(character)] * (2 * count), WalkTo(begin, stops, near=0.3 * gap), seed)
+    return Simulation(world, [load_character(character)] * (2 * count), WalkTo(begin, stops, near=0.3 * gap), seed)
 
 
 def ring(count: int, radius: float, character: str = "bird", seed: int = 1) -> Simulation:
@@ -54,7 +54,7 @@ def ring(count: int, radius: float, character: str = "bird", seed: int = 1) -> S
     out = radius * np.column_stack([np.cos(angle), np.sin(angle)])
     starts = np.column_stack([side / 2 + out, angle + np.pi])
     world = World("ring", (side, side))
-    return Simulation(world, [load_biped(character)] * count, WalkTo(starts, (side / 2 - out)[:, None]), seed)
+    return Simulation(world, [load_character(character)] * count, WalkTo(starts, (side / 2 - out)[:, None]), seed)
 
 
 class Watch:
@@ -62,10 +62,10 @@ class Watch:
 
     def __init__(self, sim: Simulation) -> None:
         self.sim = sim
-        sim.footprints.keep(sim.crowd)
-        kind = sim.crowd.kind
-        self.radius = sim.bipeds["body_radius"][kind]
-        self.sole = 0.5 * np.hypot(sim.bipeds["foot_length"], sim.bipeds["foot_width"])[kind]
+        sim.keep_footprints()
+        kind = sim.kind
+        self.radius = sim.bipeds["body"]["radius"][kind]
+        self.sole = 0.5 * np.hypot(sim.bipeds["foot"]["length"], sim.bipeds["foot"]["width"])[kind]
         self.anchor, self.since = sim.snapshot().com[:, :2], np.zeros(len(kind))
         self.body_overlap, self.standstill, self.stillest = -np.inf, 0.0, -1
         self.bodies_met = 0
@@ -92,7 +92,7 @@ class Watch:
             self.bodies_met += int((share > 0.05).sum())
         if isinstance(sim.planner, WalkTo) and not sim.planner.again:
             there = sim.crowd.standing & (
-                np.linalg.norm(com - sim.plans.stops[:, -1], axis=1) < 4 * sim.bipeds["preferred_step"][0]
+                np.linalg.norm(com - sim.plans.stops[:, -1], axis=1) < 4 * sim.bipeds["gait"]["preferred_step"][0]
             )
             self.arrived[there & np.isnan(self.arrived)] = sim.time
         moved = np.linalg.norm(com - self.anchor, axis=1) > 0.5 * self.radius

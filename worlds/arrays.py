@@ -34,6 +34,16 @@ class WorldArrays(NamedTuple):
     rock_index: np.ndarray
 
 
+def no_world() -> WorldArrays:
+    """A metre of flat ground with nothing on it."""
+    shape = grid_shape((1.0, 1.0))
+    none = bucket(np.zeros((0, 4)), shape)
+    return WorldArrays(
+        np.array([0.0, 0.0, 1.0, 1.0]), FLAT, np.zeros(8), np.zeros((1, 1)), np.zeros((0, 3)), np.zeros((0, 5)),
+        np.zeros((0, 4)), shape[1], *none, *none, *none,
+    )  # fmt: skip
+
+
 def grid_shape(size: tuple[float, float]) -> tuple[int, int]:
     """Rows and columns of the grid over a world of this size."""
     return int(np.ceil(size[1] / CELL)) + 1, int(np.ceil(size[0] / CELL)) + 1

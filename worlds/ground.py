@@ -72,6 +72,13 @@ class _Rock(Part):
     height: Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)] = 0.2
 
 
+class Goal(Part):
+    """The place that is to be reached."""
+
+    position: Point
+    radius: Length = 1.0
+
+
 class Ground(Part):
     """The tables of a file that make a world."""
 
@@ -84,8 +91,10 @@ class Ground(Part):
     scatter: Scatter | None = None
 
 
-def build(path: Path, ground: Ground, start: tuple[float, float], heading_deg: float, goal=None) -> tuple[World, list[str]]:
-    """The world of a checked file, and the faults that only building it can find. goal: None, or position and radius."""
+def build(
+    path: Path, ground: Ground, start: tuple[float, float], heading_deg: float, goal: Goal | None = None
+) -> tuple[World, list[str]]:
+    """The world of a checked file, and the faults that only building it can find."""
     parameters, heights, faults = _terrain(path, ground.world)
     world = World(
         name=ground.name,

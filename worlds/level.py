@@ -5,7 +5,7 @@ from pathlib import Path
 
 from worlds import checks, ground, reading
 from worlds.errors import InputError
-from worlds.ground import Finite, Ground, Length, Part, Point
+from worlds.ground import Finite, Goal, Ground, Part, Point
 from worlds.world import World
 
 LEVELS = Path(__file__).parent / "levels"
@@ -16,14 +16,9 @@ class _Start(Part):
     heading_deg: Finite = 0.0
 
 
-class _Goal(Part):
-    position: Point
-    radius: Length = 1.0
-
-
 class _Level(Ground):
     start: _Start
-    goal: _Goal | None = None
+    goal: Goal | None = None
 
 
 def level_names(with_goal: bool | None = None) -> list[str]:

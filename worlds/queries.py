@@ -4,33 +4,33 @@ from math import atan2, cos, floor, hypot, sin, sqrt
 
 import numpy as np
 
-from worlds.arrays import CELL, FLAT, HEIGHTMAP, HILLS, REACH, SPIRAL_STAIRS, STAIRS
+from worlds.arrays import CELL, FLAT, HEIGHTMAP, HILLS, REACH, SPIRAL_STAIRS, STAIRS, WorldArrays
 from worlds.compiled.jit import jit, jit_borrowing
 
 TAU = 6.283185307179586
 
 
 @jit_borrowing
-def terrain_height(w, x, y):
+def terrain_height(world: WorldArrays, x: float, y: float) -> float:
     """Height of the bare ground [m]. Beyond the border the terrain goes on."""
-    p = w.terrain
-    if w.terrain_kind == FLAT:
+    p = world.terrain
+    if world.terrain_kind == FLAT:
         return 0.0
-    if w.terrain_kind == HILLS:
+    if world.terrain_kind == HILLS:
         k = TAU / p[1]
         broad = sin(k * x + p[2]) * cos(0.8 * k * y + p[3])
         return p[0] * (broad + 0.35 * sin(2.1 * k * y + 1.3 * k * x + p[4]))
-    if w.terrain_kind == STAIRS:
+    if world.terrain_kind == STAIRS:
         return p[1] * min(max(floor((x - p[0]) / p[2]) + 1, 0.0), p[3])
-    if w.terrain_kind == SPIRAL_STAIRS:
+    if world.terrain_kind == SPIRAL_STAIRS:
         return _spiral_height(p, x, y)
-    if w.terrain_kind == HEIGHTMAP:
-        return _map_height(w.heights, x / p[0], y / p[0])
+    if world.terrain_kind == HEIGHTMAP:
+        return _map_height(world.heights, x / p[0], y / p[0])
     return 0.0
 
 
 @jit_borrowing
-def _spiral_height(p, x, y):
+def _spiral_height(p: np.ndarray, x: float, y: float) -> float:
     """Treads turn counter-clockwise about (p0, p1) between the radii p2 and p3, each p4 higher, p5 of them to a turn."""
     dx, dy = x - p[0], y - p[1]
     r = hypot(dx, dy)
@@ -41,13 +41,13 @@ def _spiral_height(p, x, y):
 
 
 @jit_borrowing
-def _angle(dy, dx):
+def _angle(dy: float, dx: float) -> float:
     from_axis = atan2(dy, dx)
     return from_axis if from_axis >= 0 else from_axis + TAU
 
 
 @jit_borrowing
-def _map_height(heights, column, row):
+def _map_height(heights: np.ndarray, column: float, row: float) -> float:
     """Bilinear in a heightmap, constant beyond its edge."""
     rows, columns = heights.shape
     column = min(max(column, 0.0), columns - 1.0)
@@ -59,45 +59,45 @@ def _map_height(heights, column, row):
 
 
 @jit_borrowing
-def terrain_normal(w, x, y, span):
+def terrain_normal(world: WorldArrays, x: float, y: float, span: float) -> tuple[float, float, float]:
     """Unit normal of the ground by central differences over +-span [m]."""
-    dx = (terrain_height(w, x + span, y) - terrain_height(w, x - span, y)) / (2 * span)
-    dy = (terrain_height(w, x, y + span) - terrain_height(w, x, y - span)) / (2 * span)
+    dx = (terrain_height(world, x + span, y) - terrain_height(world, x - span, y)) / (2 * span)
+    dy = (terrain_height(world, x, y + span) - terrain_height(world, x, y - span)) / (2 * span)
     length = sqrt(dx * dx + dy * dy + 1)
     return -dx / length, -dy / length, 1 / length
 
 
 @jit_borrowing
-def cell_of(w, x, y):
+def cell_of(world: WorldArrays, x: float, y: float) -> int:
     """Grid cell of a point; points outside belong to the nearest one."""
-    rows = (len(w.tree_start) - 1) // w.columns
+    rows = (len(world.tree_start) - 1) // world.columns
     row = min(max(int(floor(y / CELL)), 0), rows - 1)
-    column = min(max(int(floor(x / CELL)), 0), w.columns - 1)
-    return row * w.columns + column
+    column = min(max(int(floor(x / CELL)), 0), world.columns - 1)
+    return row * world.columns + column
 
 
 @jit_borrowing
-def border_clearance(w, x, y):
+def border_clearance(world: WorldArrays, x: float, y: float) -> float:
     """Distance to the border [m], negative outside."""
-    return min(x - w.bounds[0], y - w.bounds[1], w.bounds[2] - x, w.bounds[3] - y)
+    return min(x - world.bounds[0], y - world.bounds[1], world.bounds[2] - x, world.bounds[3] - y)
 
 
 @jit_borrowing
-def tree_clearance(w, x, y):
+def tree_clearance(world: WorldArrays, x: float, y: float) -> float:
     """Distance to the nearest trunk's surface [m], negative inside, at most REACH."""
-    cell, nearest = cell_of(w, x, y), REACH
-    for k in range(w.tree_start[cell], w.tree_start[cell + 1]):
-        tree = w.trees[w.tree_index[k]]
+    cell, nearest = cell_of(world, x, y), REACH
+    for k in range(world.tree_start[cell], world.tree_start[cell + 1]):
+        tree = world.trees[world.tree_index[k]]
         nearest = min(nearest, hypot(x - tree[0], y - tree[1]) - tree[2])
     return nearest
 
 
 @jit_borrowing
-def water_clearance(w, x, y):
+def water_clearance(world: WorldArrays, x: float, y: float) -> float:
     """Distance to the nearest water's edge [m], negative in the water, at most REACH. Rocks do not count."""
-    cell, nearest = cell_of(w, x, y), REACH
-    for k in range(w.bank_start[cell], w.bank_start[cell + 1]):
-        piece = w.banks[w.bank_index[k]]
+    cell, nearest = cell_of(world, x, y), REACH
+    for k in range(world.bank_start[cell], world.bank_start[cell + 1]):
+        piece = world.banks[world.bank_index[k]]
         dx, dy = piece[2] - piece[0], piece[3] - piece[1]
         length2 = max(dx * dx + dy * dy, 1e-12)
         s = min(max(((x - piece[0]) * dx + (y - piece[1]) * dy) / length2, 0.0), 1.0)
@@ -106,19 +106,19 @@ def water_clearance(w, x, y):
 
 
 @jit_borrowing
-def clearance(w, x, y):
+def clearance(world: WorldArrays, x: float, y: float) -> float:
     """Distance to the nearest tree, water or border [m], negative inside one, at most REACH."""
-    return min(border_clearance(w, x, y), tree_clearance(w, x, y), water_clearance(w, x, y))
+    return min(border_clearance(world, x, y), tree_clearance(world, x, y), water_clearance(world, x, y))
 
 
 @jit_borrowing
-def path_clearance(w, x0, y0, x1, y1):
+def path_clearance(world: WorldArrays, x0: float, y0: float, x1: float, y1: float) -> float:
     """Least clearance along a line, to 5 cm: it changes no faster than one moves, so whole stretches are skipped."""
     length = hypot(x1 - x0, y1 - y0)
     done, least = 0.0, REACH
     while True:
         s = min(done / length, 1.0) if length > 0 else 1.0
-        here = clearance(w, x0 + s * (x1 - x0), y0 + s * (y1 - y0))
+        here = clearance(world, x0 + s * (x1 - x0), y0 + s * (y1 - y0))
         least = min(least, here)
         if s >= 1 or here <= 0:
             return least
@@ -126,43 +126,47 @@ def path_clearance(w, x0, y0, x1, y1):
 
 
 @jit_borrowing
-def rock_under(w, x, y, margin):
+def rock_under(world: WorldArrays, x: float, y: float, margin: float) -> int:
     """Index of the highest rock on which a point lies at least `margin` [m] from the edge, -1 for none."""
-    cell, found = cell_of(w, x, y), -1
-    for k in range(w.rock_start[cell], w.rock_start[cell + 1]):
-        i = w.rock_index[k]
-        inside = hypot(x - w.rocks[i, 0], y - w.rocks[i, 1]) <= w.rocks[i, 2] - margin
-        if inside and (found < 0 or w.rocks[i, 3] > w.rocks[found, 3]):
+    cell, found = cell_of(world, x, y), -1
+    for k in range(world.rock_start[cell], world.rock_start[cell + 1]):
+        i = world.rock_index[k]
+        inside = hypot(x - world.rocks[i, 0], y - world.rocks[i, 1]) <= world.rocks[i, 2] - margin
+        if inside and (found < 0 or world.rocks[i, 3] > world.rocks[found, 3]):
             found = i
     return found
 
 
 @jit_borrowing
-def ground_height(w, x, y):
+def ground_height(world: WorldArrays, x: float, y: float) -> float:
     """Height of what one would step on [m]: the terrain or a rock's top."""
-    rock = rock_under(w, x, y, 0.0)
-    height = terrain_height(w, x, y)
-    return max(height, w.rocks[rock, 3]) if rock >= 0 else height
+    rock = rock_under(world, x, y, 0.0)
+    height = terrain_height(world, x, y)
+    return max(height, world.rocks[rock, 3]) if rock >= 0 else height
 
 
 @jit
-def ground_heights(w, points):
+def ground_heights(world: WorldArrays, points: np.ndarray) -> np.ndarray:
     """ground_height (N,) below points (N, 3)."""
     out = np.empty(len(points))
     for i in range(len(points)):
-        out[i] = ground_height(w, points[i, 0], points[i, 1])
+        out[i] = ground_height(world, points[i, 0], points[i, 1])
     return out
 
 
 @jit_borrowing
-def in_water(w, x, y):
+def in_water(world: WorldArrays, x: float, y: float) -> bool:
     """Whether a point lies in water and on no rock."""
-    return water_clearance(w, x, y) < 0 and rock_under(w, x, y, 0.0) < 0
+    return water_clearance(world, x, y) < 0 and rock_under(world, x, y, 0.0) < 0
 
 
 @jit_borrowing
-def survey(w, xy, found):
+def survey(world: WorldArrays, xy: np.ndarray, found: np.ndarray) -> None:
     """Fills found (N, 3): height of the ground, clearance to water, and to trees [m], at xy (N, 2)."""
     for i in range(len(xy)):
         x, y = xy[i, 0], xy[i, 1]
-        found[i, 0], found[i, 1], found[i, 2] = terrain_height(w, x, y), water_clearance(w, x, y), tree_clearance(w, x, y)
+        found[i, 0], found[i, 1], found[i, 2] = (
+            terrain_height(world, x, y),
+            water_clearance(world, x, y),
+            tree_clearance(world, x, y),
+        )

@@ -1,8 +1,11 @@
 """Reading files that people write: TOML in, checked data out, every fault of a file in one report."""
 
+import difflib
+import re
 import tomllib
+from collections.abc import Iterable
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar, get_args
 
 from pydantic import BaseModel, ValidationError
 
@@ -22,7 +25,10 @@ def named_file(folder: Path, name_or_path: str | Path, what: str) -> Path:
     if path.is_dir():
         raise InputError(f"{path}: is a folder; a {what} is a TOML file")
     if not path.exists():
-        raise InputError(f"{path}: no such {what}; there are {', '.join(names_in(folder))}, or give a .toml file")
+        names = names_in(folder)
+        raise InputError(
+            f"{path}: no such {what}{nearest(str(path), names)}; there are {', '.join(names)}, or give a .toml file"
+        )
     return path
 
 
@@ -43,13 +49,19 @@ def tables_of(path: str | Path) -> set[str]:
 
 def read_model(path: Path, model: type[Model], what: str, needs: str) -> Model:
     """The file as checked data. Raises InputError naming every fault."""
+    return checked(path, read_toml(path, what, needs), model)
+
+
+def checked(path: Path, plain: dict, model: type[Model]) -> Model:
+    """What a file holds as checked data. Raises InputError naming every fault."""
     try:
-        return model.model_validate(_read(path, what, needs))
+        return model.model_validate(plain)
     except ValidationError as error:
-        raise InputError("\n".join(f"{path}: {_fault(one)}" for one in error.errors())) from None
+        raise InputError("\n".join(f"{path}: {_fault(one, model)}" for one in error.errors())) from None
 
 
-def _read(path: Path, what: str, needs: str) -> dict:
+def read_toml(path: Path, what: str, needs: str) -> dict:
+    """What a TOML file holds, as plain values. Raises InputError."""
     if path.stat().st_size > LARGEST_FILE:
         raise InputError(f"{path}: {path.stat().st_size} bytes; a {what} file has at most {LARGEST_FILE}")
     try:
@@ -63,11 +75,38 @@ def _read(path: Path, what: str, needs: str) -> dict:
     return values
 
 
-def _fault(one) -> str:
+def nearest(word: str, known: Iterable[str]) -> str:
+    """ ", did you mean X?" for the known word that a misspelt one is nearest to; nothing where none is near."""
+    found = difflib.get_close_matches(word, list(known), 1, 0.6)
+    return f"; did you mean {found[0]}?" if found else ""
+
+
+def _fault(one: Any, model: type[BaseModel]) -> str:
     key = ".".join(str(part) for part in one["loc"])
     if one["type"] == "extra_forbidden":
-        return f"{key}: unknown key"
+        return f"{key}: unknown key{nearest(str(one['loc'][-1]), _keys_at(model, one['loc'][:-1]))}"
     if one["type"] == "missing":
         return f"{key}: is missing"
     value = repr(one["input"])
-    return f"{key} = {value if len(value) < 60 else value[:57] + '...'}: {one['msg']}"
+    said = f"{key} = {value if len(value) < 60 else value[:57] + '...'}: {one['msg']}"
+    if one["type"] == "literal_error":
+        said += nearest(str(one["input"]), re.findall(r"'([^']*)'", one["ctx"]["expected"]))
+    return said
+
+
+def _keys_at(model: type[BaseModel], place: tuple) -> list[str]:
+    """The keys of the table at this place of a model."""
+    for part in place:
+        if isinstance(part, str) and part in model.model_fields:
+            inner = _table_in(model.model_fields[part].annotation)
+            if inner is None:
+                return []
+            model = inner
+    return list(model.model_fields)
+
+
+def _table_in(annotation: Any) -> type[BaseModel] | None:
+    """The model that a field holds, by itself, in a list, or where it is not left out."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return annotation
+    return next((found for part in get_args(annotation) if (found := _table_in(part))), None)

@@ -1,6 +1,6 @@
 """Seeded trees and rocks: chance places that keep off each other, the water, the start and the goal."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 import numpy as np
@@ -34,8 +34,8 @@ class Scatter(BaseModel):
 def scattered(world: World, scatter: Scatter) -> World:
     """The world with the scattered things added; counter-based, so the same on every machine."""
     rng = np.random.Generator(np.random.Philox(key=scatter.seed))
-    trees = _places(world, rng, scatter.trees, scatter.tree_radius, scatter.tree_spacing, scatter.clear, world.trees)
-    rocks = _places(world, rng, scatter.rocks, scatter.rock_radius, scatter.rock_spacing, scatter.clear, world.rocks)
+    trees = _Discs(scatter.trees, scatter.tree_radius, scatter.tree_spacing, scatter.clear).places(world, rng, world.trees)
+    rocks = _Discs(scatter.rocks, scatter.rock_radius, scatter.rock_spacing, scatter.clear).places(world, rng, world.rocks)
     heights = rng.uniform(*scatter.rock_height, len(rocks))
     return replace(
         world,
@@ -44,23 +44,32 @@ def scattered(world: World, scatter: Scatter) -> World:
     )
 
 
-def _places(world, rng, count, radius, spacing, clear, present) -> np.ndarray:
-    """(K, 3) discs, K <= count, each `spacing` from the others and those present, dry, and off start and goal."""
-    discs = [tuple(row[:3]) for row in present]
-    found = len(discs)
-    keep_off = [(*place, 0.0) for place in (world.start, world.goal) if place]
-    for _ in range(count):
-        for _ in range(TRIES):
-            x, y = rng.uniform((0, 0), world.size)
-            r = rng.uniform(*radius)
-            if _fits(discs, x, y, r + spacing) and _fits(keep_off, x, y, r + clear):
-                if water_clearance(world.arrays, x, y) > r + 0.5:
-                    discs.append((x, y, r))
-                    break
-    return np.array(discs[found:], np.float64).reshape(-1, 3)
+@dataclass(frozen=True)
+class _Discs:
+    """What is scattered; metres."""
+
+    count: int
+    radius: tuple[float, float]  # least and largest
+    spacing: float  # between any two
+    clear: float  # around start and goal
+
+    def places(self, world: World, rng: np.random.Generator, present: np.ndarray) -> np.ndarray:
+        """(K, 3) x, y, radius, K <= count, each `spacing` from the others and those present, dry, and off start and goal."""
+        discs = [tuple(row[:3]) for row in present]
+        found = len(discs)
+        keep_off = [(*place, 0.0) for place in (world.start, world.goal) if place]
+        for _ in range(self.count):
+            for _ in range(TRIES):
+                x, y = rng.uniform((0, 0), world.size)
+                r = rng.uniform(*self.radius)
+                if _fits(discs, x, y, r + self.spacing) and _fits(keep_off, x, y, r + self.clear):
+                    if water_clearance(world.arrays, x, y) > r + 0.5:
+                        discs.append((x, y, r))
+                        break
+        return np.array(discs[found:], np.float64).reshape(-1, 3)
 
 
-def _fits(discs, x, y, room) -> bool:
+def _fits(discs: list, x: float, y: float, room: float) -> bool:
     if not discs:
         return True
     d = np.array(discs)

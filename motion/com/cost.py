@@ -23,14 +23,13 @@ barrier's metric: it vanishes at the solution, and the full step needs no other 
 """
 
 from math import sqrt
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from motion.arithmetic.gravity import GRAVITY
 from worlds.compiled.jit import jit_borrowing, jit_inline
 from worlds.compiled.lanes import choose, larger, root
-
-GRAVITY = 9.81
-"""m/s^2, along -z."""
 
 STRETCH = 100.0
 """Stiffness of a leg beyond full extension, in comfort weights: more keeps it shorter, and solves slower."""
@@ -41,51 +40,73 @@ CAUTION = 0.01
 _LEAST_SHARE = 1.0
 """Push [m/s^2] below which a leg's share gets no stiffer, so that it can still vanish."""
 _NEARLY_PARALLEL = 1e-9
+Some = Any
+"""A number or Lanes of them (worlds.compiled.lanes); a bool or a Mask."""
+Three = tuple[Some, Some, Some]
+Lower = tuple[Some, Some, Some, Some, Some, Some]
+"""A lower triangle: 00, 10, 11, 20, 21, 22."""
+
+
+class PhysicsModel(NamedTuple):
+    """e_physics and its model in dw - phi dc."""
+
+    size: Some  # |r|
+    phi: Some
+    gradient: Three
+    matrix: Lower  # M
+
+
+class ComfortModel(NamedTuple):
+    """e_comfort of one leg and its model in dc."""
+
+    cost: Some
+    gradient: Three
+    matrix: Lower
 
 
 @jit_inline
-def smooth_norm(r, eps):
+def smooth_norm(r: Some, eps: float) -> Some:
     """Huber's |r|: a parabola below eps, never below |r|; its weight is 1 / max(|r|, eps)."""
     return choose(r >= eps, r, 0.5 * (r * r / eps + eps))
 
 
 @jit_inline
-def _leg(c, w, s):
+def _leg(com: Three, w: Three, s: Three) -> tuple[Some, Some, Some, Some, Some]:
     """Unit leg K (three numbers), 1 / its length, and the push w.K that it would have to give."""
-    x, y, z = c[0] - s[0], c[1] - s[1], c[2] - s[2]
+    x, y, z = com[0] - s[0], com[1] - s[1], com[2] - s[2]
     inverse = 1 / (root(x * x + y * y + z * z) + 1e-300)
     x, y, z = x * inverse, y * inverse, z * inverse
     return x, y, z, inverse, w[0] * x + w[1] * y + w[2] * z
 
 
 @jit_inline
-def _either(c, a, b):
-    """a where c holds, else b, of the first three numbers."""
-    return choose(c, a[0], b[0]), choose(c, a[1], b[1]), choose(c, a[2], b[2])
+def _either(truth: Some, yes: Any, no: Any) -> Three:
+    """yes where it is true, else no, of the first three numbers."""
+    return choose(truth, yes[0], no[0]), choose(truth, yes[1], no[1]), choose(truth, yes[2], no[2])
 
 
 @jit_inline
-def _single_model(w, left, right, on0, on1, eps):
+def _single_model(w: Three, left: Any, right: Any, on0: Some, on1: Some, eps: float) -> PhysicsModel:
     """The leg that stands and pushes more carries; where none pushes, nothing does: flight."""
-    b0, b1 = choose(on0, left[4], -np.inf), choose(on1, right[4], -np.inf)
-    first = b0 >= b1
-    push = larger(choose(first, b0, b1), 0.0)
+    push0, push1 = choose(on0, left[4], -np.inf), choose(on1, right[4], -np.inf)
+    first = push0 >= push1
+    push = larger(choose(first, push0, push1), 0.0)
     nearer = choose(first, left[3], right[3])
     x, y, z = _either(push > 0, _either(first, left, right), (0.0, 0.0, 0.0))  # a foot in the air may be nowhere: NaN
     r0, r1, r2 = w[0] - push * x, w[1] - push * y, w[2] - push * z
     r = root(r0 * r0 + r1 * r1 + r2 * r2)
     q = 1 / larger(r, eps)
-    m = (q - q * x * x, -q * y * x, q - q * y * y, -q * z * x, -q * z * y, q - q * z * z)
-    return r, choose(push > 0, push * nearer, 0.0), (q * r0, q * r1, q * r2), m
+    matrix = (q - q * x * x, -q * y * x, q - q * y * y, -q * z * x, -q * z * y, q - q * z * z)
+    return PhysicsModel(r, choose(push > 0, push * nearer, 0.0), (q * r0, q * r1, q * r2), matrix)
 
 
 @jit_inline
-def _double_model(w, left, right, k, eps):
+def _double_model(w: Three, left: Any, right: Any, k: Some, eps: float) -> PhysicsModel:
     """Both legs (from _leg) carry; k = K1.K2."""
-    x0, y0, z0, near0, b0 = left
-    x1, y1, z1, near1, b1 = right
+    x0, y0, z0, near0, push0 = left
+    x1, y1, z1, near1, push1 = right
     inverse = 1 / (1 - k * k)
-    a0, a1 = (b0 - k * b1) * inverse, (b1 - k * b0) * inverse
+    a0, a1 = (push0 - k * push1) * inverse, (push1 - k * push0) * inverse
     t = root(inverse)
     n0, n1, n2 = t * (y0 * z1 - z0 * y1), t * (z0 * x1 - x0 * z1), t * (x0 * y1 - y0 * x1)
     r = n0 * w[0] + n1 * w[1] + n2 * w[2]
@@ -96,7 +117,7 @@ def _double_model(w, left, right, k, eps):
     h0, h1 = CAUTION * t0 * t0, CAUTION * t1 * t1
     u0, u1, u2 = x0 - k * x1, y0 - k * y1, z0 - k * z1
     v0, v1, v2 = x1 - k * x0, y1 - k * y0, z1 - k * z0
-    m = (
+    matrix = (
         q * n0 * n0 + h0 * u0 * u0 + h1 * v0 * v0,
         q * n1 * n0 + h0 * u1 * u0 + h1 * v1 * v0,
         q * n1 * n1 + h0 * u1 * u1 + h1 * v1 * v1,
@@ -104,40 +125,40 @@ def _double_model(w, left, right, k, eps):
         q * n2 * n1 + h0 * u2 * u1 + h1 * v2 * v1,
         q * n2 * n2 + h0 * u2 * u2 + h1 * v2 * v2,
     )
-    return size, a0 * near0 + a1 * near1, (g * n0, g * n1, g * n2), m
+    return PhysicsModel(size, a0 * near0 + a1 * near1, (g * n0, g * n1, g * n2), matrix)
 
 
 @jit_inline
-def physics_model(c, w, s0, s1, on0, on1, eps):
-    """e_physics = |r| at com c with needed force w, and its model in dw - phi dc: (|r|, phi, gradient, M).
+def physics_model(com: Three, w: Three, s0: Three, s1: Three, on0: Some, on1: Some, eps: float) -> PhysicsModel:
+    """e_physics = |r| at a com with needed force w, and its model in dw - phi dc, the norm smoothed below eps.
 
-    c, w, the points of support s0, s1 and the gradient are triples; M is a lower triangle (00, 10, 11, 20, 21, 22). Of numbers
-    with bools on0, on1, or of lanes with masks (worlds.compiled.lanes). Two-column non-negative least squares: both legs where
-    both would push, or else the one that pushes more.
+    s0 and s1 are the points of support of left and right leg, on0 and on1 whether they stand. Of numbers or of lanes.
+    Two-column non-negative least squares: both legs where both would push, or else the one that pushes more.
     """
-    left, right = _leg(c, w, s0), _leg(c, w, s1)
+    left, right = _leg(com, w, s0), _leg(com, w, s1)
     k = left[0] * right[0] + left[1] * right[1] + left[2] * right[2]
     both = on0 & on1 & (1 - k * k > _NEARLY_PARALLEL) & (left[4] > k * right[4]) & (right[4] > k * left[4])
-    r, phi, g, m = _single_model(w, left, right, on0, on1, eps)
-    r2, phi2, g2, m2 = _double_model(w, left, right, k, eps)
-    m = _either(both, m2[:3], m[:3]) + _either(both, m2[3:], m[3:])
-    return choose(both, r2, r), choose(both, phi2, phi), _either(both, g2, g), m
+    one, two = _single_model(w, left, right, on0, on1, eps), _double_model(w, left, right, k, eps)
+    matrix = _either(both, two.matrix[:3], one.matrix[:3]) + _either(both, two.matrix[3:], one.matrix[3:])
+    phi = choose(both, two.phi, one.phi)
+    return PhysicsModel(choose(both, two.size, one.size), phi, _either(both, two.gradient, one.gradient), matrix)
 
 
 @jit_borrowing
-def physics_cost(c0, c1, c2, w0, w1, w2, s, standing):
-    """e_physics [m/s^2] at com c with needed force w; s (2, 3) points of support, standing (2,)."""
-    s0, s1 = (s[0, 0], s[0, 1], s[0, 2]), (s[1, 0], s[1, 1], s[1, 2])
-    return physics_model((c0, c1, c2), (w0, w1, w2), s0, s1, standing[0], standing[1], 1.0)[0]
+def physics_cost(com: np.ndarray, acceleration: np.ndarray, support: np.ndarray, standing: np.ndarray) -> float:
+    """e_physics [m/s^2] of a com (3,) and its acceleration (3,); support (2, 3) points of support, standing (2,) bool."""
+    s0, s1 = (support[0, 0], support[0, 1], support[0, 2]), (support[1, 0], support[1, 1], support[1, 2])
+    w = (acceleration[0], acceleration[1], acceleration[2] + GRAVITY)
+    return physics_model((com[0], com[1], com[2]), w, s0, s1, standing[0], standing[1], 1.0).size
 
 
 @jit_inline
-def comfort_model(c, q, on, nominal_length, max_length, weight):
-    """weight * ((leg length - nominal)^2 + STRETCH * (what it is longer than max_length)^2) of one leg at com c.
+def comfort_model(com: Three, q: Three, on: Some, nominal_length: Some, max_length: float, weight: float) -> ComfortModel:
+    """weight * ((leg length - nominal)^2 + STRETCH * (what it is longer than max_length)^2) of one leg, by Gauss-Newton.
 
-    (e, gradient, Gauss-Newton lower triangle), 0 unless `on`; of numbers or of lanes.
+    0 unless `on`; of numbers or of lanes. q: where the leg begins, less the hip's offset from the com.
     """
-    x, y, z = c[0] - q[0], c[1] - q[1], c[2] - q[2]
+    x, y, z = com[0] - q[0], com[1] - q[1], com[2] - q[2]
     length = root(x * x + y * y + z * z) + 1e-300
     inverse = 1 / length
     x, y, z = x * inverse, y * inverse, z * inverse
@@ -148,28 +169,30 @@ def comfort_model(c, q, on, nominal_length, max_length, weight):
     e = soft * stretch * stretch + hard * over * over
     g, h = 2 * (soft * stretch + hard * over), 2 * (soft + hard)
     hx, hy, hz = h * x, h * y, h * z
-    return e, (g * x, g * y, g * z), (hx * x, hy * x, hy * y, hz * x, hz * y, hz * z)
+    return ComfortModel(e, (g * x, g * y, g * z), (hx * x, hy * x, hy * y, hz * x, hz * y, hz * z))
 
 
 @jit_borrowing
-def reach_cost(c, q, standing, max_length, weight):
-    """Penalty of legs longer than max_length at com c (3,). q (2, 3), max_length (2,)."""
+def reach_cost(com: np.ndarray, q: np.ndarray, standing: np.ndarray, max_length: np.ndarray, weight: float) -> float:
+    """Penalty of legs longer than max_length (2,) at a com (3,); q (2, 3) as in comfort_model."""
     e = 0.0
     for leg in range(2):
         if standing[leg]:
-            x, y, z = c[0] - q[leg, 0], c[1] - q[leg, 1], c[2] - q[leg, 2]
+            x, y, z = com[0] - q[leg, 0], com[1] - q[leg, 1], com[2] - q[leg, 2]
             over = max(sqrt(x * x + y * y + z * z) - max_length[leg], 0.0)
             e += REACH_TIME * weight * over * over
     return e
 
 
 @jit_borrowing
-def add_reach(c, q, standing, max_length, weight, h, g):
-    """Adds the Gauss-Newton block of the reach penalty in c: h (6, 8) [column, row], lower triangle; g (6,). Returns e."""
+def add_reach(
+    com: np.ndarray, q: np.ndarray, standing: np.ndarray, max_length: np.ndarray, weight: float, h: np.ndarray, g: np.ndarray
+) -> float:
+    """Adds the Gauss-Newton block of the reach penalty in the com: h (6, 8) [column, row], lower triangle; g (6,)."""
     e = 0.0
     for leg in range(2):
         if standing[leg]:
-            u = (c[0] - q[leg, 0], c[1] - q[leg, 1], c[2] - q[leg, 2])
+            u = (com[0] - q[leg, 0], com[1] - q[leg, 1], com[2] - q[leg, 2])
             length = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
             over = length - max_length[leg]
             if over > 0:

@@ -7,7 +7,7 @@ Sweeps repeat until none helps, with delta = 6 cm, then 2 cm (and cm/s for tange
 
 import numpy as np
 
-from motion.com.problem import costs_from, total_cost
+from motion.com.problem import Problem, costs_from, total_cost
 from worlds.compiled.jit import jit
 
 DELTAS = np.array([0.06, 0.02])
@@ -15,13 +15,13 @@ MAX_SWEEPS = 500
 
 
 @jit
-def _touched_cost(problem, control, i):
+def _touched_cost(problem: Problem, control: np.ndarray, i: int) -> float:
     """Of the segments on both sides of control point i, and of the next ones, which do not change."""
     return costs_from(problem, control, max(i - 1, 0), 1.0)[1]
 
 
 @jit
-def _search_coordinate(problem, control, i, k, delta):
+def _search_coordinate(problem: Problem, control: np.ndarray, i: int, k: int, delta: float) -> bool:
     """Walks one coordinate downhill; returns whether it moved."""
     best = _touched_cost(problem, control, i)
     moved = False
@@ -41,7 +41,7 @@ def _search_coordinate(problem, control, i, k, delta):
 
 
 @jit
-def minimise(problem, control, deltas):
+def minimise(problem: Problem, control: np.ndarray, deltas: np.ndarray) -> tuple[float, int]:
     """Moves control (m + 1, 6) in place; returns (E, sweeps)."""
     sweeps = 0
     for delta in deltas:

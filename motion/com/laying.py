@@ -1,4 +1,4 @@
-"""Laying a timed track's feet into the problem of its COM curve: who stands when, where it presses, where the leg begins.
+"""Laying timed footprints into the problem of their COM curve: who stands when, where it presses, where the leg begins.
 
 Segments are the phases of support, or the paper's steps; see motion.com.problem for what a sample holds.
 """
@@ -7,8 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from motion.arithmetic.triples import Triple, minus
+from motion.characters.dimensions import Dimensions
 from motion.com import problem as problems
+from motion.com.problem import Problem
 from motion.track import foot, heading, phases
+from motion.track.footprints import LEFT, Footprints
 from worlds.compiled.jit import jit, jit_inline
 
 FULL_REACH = 0.995
@@ -17,18 +21,36 @@ LOOK_BACK = 6
 """Footprints before the newest among which a standing one is looked for."""
 
 
+class Layout(NamedTuple):
+    """How a curve is laid out."""
+
+    samples: int  # of the costs in each segment
+    by_step: bool  # a segment per step, as in the paper; else one per phase of support
+
+
 class Stance(NamedTuple):
     """What laying asks of the feet: computed once for all samples."""
 
+    footprints: Footprints
     axis: np.ndarray  # (n, 3) of each footprint's sole, heel to toe
     ahead: np.ndarray  # (m * (S + 1) + 1, 2) the body's direction at each segment's beginning and samples, and the last end
 
 
+class Moment(NamedTuple):
+    """A time at which feet are laid."""
+
+    t: float  # [s]
+    cosine: float  # of the body's heading
+    sine: float
+    left: int  # footprint that carries the left leg, -1 for none
+    right: int
+
+
 @jit
-def _stance(b, track, time, samples):
-    axis = np.empty((len(track.side), 3))
+def _stance(biped: Dimensions, footprints: Footprints, time: np.ndarray, samples: int) -> Stance:
+    axis = np.empty((len(footprints.side), 3))
     for n in range(len(axis)):
-        axis[n, 0], axis[n, 1], axis[n, 2] = foot.sole_axis(track.heading[n], track.normal[n])
+        axis[n, 0], axis[n, 1], axis[n, 2] = foot.sole_axis(footprints.heading[n], footprints.normal[n])
     m, k = len(time) - 1, 0
     times = np.empty(m * (samples + 1) + 1)
     for i in range(m):
@@ -38,96 +60,96 @@ def _stance(b, track, time, samples):
         k += samples + 1
     times[k] = time[m]
     yaw = np.empty(len(times))
-    heading.body_headings(b, track, times, yaw)
+    heading.body_headings(biped, footprints, times, yaw)
     ahead = np.empty((len(times), 2))
     for i in range(len(times)):
         ahead[i, 0], ahead[i, 1] = np.cos(yaw[i]), np.sin(yaw[i])
-    return Stance(axis, ahead)
+    return Stance(footprints, axis, ahead)
 
 
 @jit
-def lay_samples(b, track, problem, support, by_step):
+def lay_samples(biped: Dimensions, footprints: Footprints, problem: Problem, support: np.ndarray, by_step: bool) -> None:
     """Fills the samples of a problem whose `time` is set.
 
     A segment of one phase has the phase's support (m, 2) all along; the paper's segments span a step and are sampled by time.
     """
     samples = problem.support_point.shape[0]
-    stance = _stance(b, track, problem.time, samples)
+    stance = _stance(biped, footprints, problem.time, samples)
     for i in range(len(problem.time) - 1):
         begin, end, k = problem.time[i], problem.time[i + 1], i * (samples + 1)
         left, right = support[i, 0], support[i, 1]
-        first = max(np.searchsorted(track.contact_time, begin, side="right") - LOOK_BACK, 0) if by_step else 0
+        first = max(np.searchsorted(footprints.contact_time, begin, side="right") - LOOK_BACK, 0) if by_step else 0
         for j in range(samples):
             t = begin + (j + 0.5) / samples * (end - begin)
             if by_step:
-                left, right = phases.support_at(track.side, track.contact_time, track.stance_time, first, t)
-            _lay_sample(b, track, stance, problem, i, j, left, right, t, k + 1 + j)
+                left, right = phases.support_at(footprints, first, t)
+            _lay_sample(biped, stance, problem, i, j, _moment(stance, k + 1 + j, t, left, right))
             if j == 0:
-                _lay_end(b, track, stance, problem, i, 0, left, right, begin, k)
-        _lay_end(b, track, stance, problem, i, 1, left, right, end, k + samples + 1)
+                _lay_end(biped, stance, problem, i, 0, _moment(stance, k, begin, left, right))
+        _lay_end(biped, stance, problem, i, 1, _moment(stance, k + samples + 1, end, left, right))
 
 
 @jit_inline
-def _lay_sample(b, track, stance, problem, i, j, left, right, t, k):
+def _moment(stance: Stance, k: int, t: float, left: int, right: int) -> Moment:
+    return Moment(t, stance.ahead[k, 0], stance.ahead[k, 1], left, right)
+
+
+@jit_inline
+def _lay_sample(biped: Dimensions, stance: Stance, problem: Problem, i: int, j: int, moment: Moment) -> None:
+    """Sample j of segment i."""
+    footprints = stance.footprints
     for leg in range(2):
-        n = left if leg == 0 else right
+        n = moment.left if leg == LEFT else moment.right
         problem.standing[j, leg, i] = n >= 0
         if n >= 0:
-            u = _share(track, n, t)
-            roll = track.roll[n, 0] + u * (track.roll[n, 1] - track.roll[n, 0])
-            _put(problem.support_point, j, leg, i, _on_sole(track, stance, n, (roll - 0.5) * b.foot_length, 0.0))
-            _put(problem.leg_origin, j, leg, i, _origin(b, track, stance, n, leg, k, u))
-            problem.nominal_length[j, leg, i] = track.nominal_length[n]
+            u = foot.stance_share(footprints, n, moment.t)
+            _put(problem.support_point, j, leg, i, _on_sole(stance, n, foot.pressing_at(biped, footprints, n, u), 0.0))
+            _put(problem.leg_origin, j, leg, i, _origin(biped, stance, n, leg, moment, u))
+            problem.nominal_length[j, leg, i] = footprints.nominal_length[n]
 
 
 @jit_inline
-def _lay_end(b, track, stance, problem, i, end, left, right, t, k):
-    """The legs at an end of a segment are those of its nearest sample."""
+def _lay_end(biped: Dimensions, stance: Stance, problem: Problem, i: int, end: int, moment: Moment) -> None:
+    """The legs at an end of segment i are those of its nearest sample."""
     for leg in range(2):
-        n = left if leg == 0 else right
+        n = moment.left if leg == LEFT else moment.right
         problem.end_standing[end, leg, i] = n >= 0
         if n >= 0:
-            _put(problem.end_origin, end, leg, i, _origin(b, track, stance, n, leg, k, _share(track, n, t)))
+            u = foot.stance_share(stance.footprints, n, moment.t)
+            _put(problem.end_origin, end, leg, i, _origin(biped, stance, n, leg, moment, u))
 
 
 @jit_inline
-def _put(array, j, leg, i, point):
+def _put(array: np.ndarray, j: int, leg: int, i: int, point: Triple) -> None:
     array[j, leg, 0, i], array[j, leg, 1, i], array[j, leg, 2, i] = point
 
 
 @jit_inline
-def _share(track, n, t):
-    return min(max((t - track.contact_time[n]) / track.stance_time[n], 0.0), 1.0)
-
-
-@jit_inline
-def _on_sole(track, stance, n, forward, up):
+def _on_sole(stance: Stance, n: int, forward: float, up: float) -> Triple:
     """motion.track.foot.along_sole for footprint n."""
-    return (
-        track.position[n, 0] + forward * stance.axis[n, 0] + up * track.normal[n, 0],
-        track.position[n, 1] + forward * stance.axis[n, 1] + up * track.normal[n, 1],
-        track.position[n, 2] + forward * stance.axis[n, 2] + up * track.normal[n, 2],
-    )
+    return foot.on_sole(stance.footprints.position[n], stance.axis[n], stance.footprints.normal[n], forward, up)
 
 
 @jit_inline
-def _origin(b, track, stance, n, leg, k, u):
+def _origin(biped: Dimensions, stance: Stance, n: int, leg: int, moment: Moment, u: float) -> Triple:
     """Ankle of the foot on footprint n at share u of its stance (motion.track.foot.stance_ankle), minus the hip's offset."""
-    hip = foot.hip_toward(b, leg, stance.ahead[k, 0], stance.ahead[k, 1])
-    forward, up = foot.about_ball(b, b.ankle_forward, b.ankle_height, foot.heel_off_angle(b, track.roll[n, 1], u))
-    ankle = _on_sole(track, stance, n, forward, up)
-    return ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
+    hip = foot.hip_toward(biped, leg, moment.cosine, moment.sine)
+    forward, up = foot.ankle_of(biped, stance.footprints.roll[n, 1], u)
+    return minus(_on_sole(stance, n, forward, up), hip)
 
 
 @jit
-def build_problem(b, track, begin, end, samples, by_step):
-    """Problem and support (m, 2) of the time [begin, end]; a segment per phase, or the paper's per step."""
-    time = np.empty(2 * len(track.side) + 2)
-    support = np.empty((2 * len(track.side) + 2, 2), np.int64)
-    m = phases.build_phases(track.side, track.contact_time, track.stance_time, begin, end, time, support)
-    if by_step:
+def build_problem(
+    biped: Dimensions, footprints: Footprints, begin: float, end: float, layout: Layout
+) -> tuple[Problem, np.ndarray]:
+    """Problem and support (m, 2) of the time [begin, end] [s]."""
+    time = np.empty(2 * len(footprints.side) + 2)
+    support = np.empty((2 * len(footprints.side) + 2, 2), np.int64)
+    m = phases.build_phases(footprints, begin, end, time, support)
+    if layout.by_step:
         m = phases.merge_by_step(time, support, m)
-    problem = problems.empty_problem(m, samples, b.nominal_length, FULL_REACH * b.max_length, b.comfort_weight)
+    leg = biped.leg
+    problem = problems.empty_problem(m, layout.samples, leg.nominal_length, FULL_REACH * leg.max_length, leg.comfort_weight)
     problem.time[:] = time[: m + 1]
-    lay_samples(b, track, problem, support, by_step)
+    lay_samples(biped, footprints, problem, support, layout.by_step)
     return problem, support[:m]

@@ -13,6 +13,7 @@ import numpy as np
 
 from motion.com import problem as problems
 from motion.com.equations import Equations, assemble, empty_equations
+from motion.com.problem import Problem
 from motion.com.tridiagonal import Factor, empty_factor, solve
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 
@@ -45,13 +46,15 @@ class Workspace(NamedTuple):
 
 
 @jit
-def workspace(m):
+def workspace(m: int) -> Workspace:
     """For m segments."""
     return Workspace(empty_equations(m), empty_factor(m), np.empty((m + 1, 6)))
 
 
 @jit_borrowing
-def _stage(problem, control, eps, iterations, tolerance, work):
+def _stage(
+    problem: Problem, control: np.ndarray, eps: float, iterations: int, tolerance: float, work: Workspace
+) -> tuple[float, int]:
     """Full steps on the smoothed E, each checked by the next assembly, the last by the costs; returns (true E, iterations)."""
     before, share, kept, used, near = np.inf, 1.0, work.kept, 0, False
     while used < iterations and not near:
@@ -72,21 +75,21 @@ def _stage(problem, control, eps, iterations, tolerance, work):
 
 
 @jit_inline
-def _copy(source, goal):
+def _copy(source: np.ndarray, goal: np.ndarray) -> None:
     for i in range(len(source)):
         for k in range(6):
             goal[i, k] = source[i, k]
 
 
 @jit_inline
-def _move(control, kept, share, step):
+def _move(control: np.ndarray, kept: np.ndarray, share: float, step: np.ndarray) -> None:
     for i in range(len(control)):
         for k in range(6):
             control[i, k] = kept[i, k] + share * step[i, k]
 
 
 @jit
-def minimise(problem, control, effort):
+def minimise(problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float, int]:
     """Moves control (m + 1, 6) in place to a minimum of E; returns (E, iterations)."""
     work = workspace(len(problem.time) - 1)
     ratio = (effort.eps_last / effort.eps_first) ** (1.0 / max(effort.stages - 1, 1))

@@ -7,12 +7,15 @@ begins) is laid down once; solvers then only move control points. Segments lie s
 that LANES of them are worked on at once (worlds.compiled.lanes).
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from motion.arithmetic.gravity import GRAVITY
 from motion.com import cost
-from motion.track import spline
+from motion.com.cost import ComfortModel, PhysicsModel, Some, Three
+from motion.track.curve import Weights, acceleration_weights, position_weights
+from motion.track.footprints import LEFT, RIGHT
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 from worlds.compiled.lanes import LANES, anywhere, lanes_of, load, total
 
@@ -35,7 +38,7 @@ class Problem(NamedTuple):
 
 
 @jit
-def empty_problem(segments, samples, nominal_length, max_length, comfort_weight):
+def empty_problem(segments: int, samples: int, nominal_length: float, max_length: float, comfort_weight: float) -> Problem:
     """A problem of that size with nobody standing and nothing fixed, all legs of one nominal length."""
     wide = segments + LANES - 1
     return Problem(
@@ -57,16 +60,16 @@ def empty_problem(segments, samples, nominal_length, max_length, comfort_weight)
 class Segments(NamedTuple):
     """LANES segments from one on; beyond the last lie copies of it that count for nothing."""
 
-    duration: float  # lanes [s]
-    scale: float  # lanes: time per sample [s]
-    bend: float  # lanes: 1 / T^2
+    duration: Some  # lanes [s]
+    scale: Some  # lanes: time per sample [s]
+    bend: Some  # lanes: 1 / T^2
     x: tuple  # of four lanes: the knots p0, T v0, p1, T v1 along each axis
     y: tuple
     z: tuple
 
 
 @jit_inline
-def _knots(control, at, duration, axis):
+def _knots(control: np.ndarray, at: tuple[int, int, int, int], duration: Some, axis: int) -> tuple[Some, Some, Some, Some]:
     i, j, k, n = at
     return (
         lanes_of(control[i, axis], control[j, axis], control[k, axis], control[n, axis]),
@@ -78,7 +81,7 @@ def _knots(control, at, duration, axis):
 
 
 @jit_inline
-def segments_from(problem, control, i):
+def segments_from(problem: Problem, control: np.ndarray, i: int) -> Segments:
     """The Segments from i on."""
     time, last = problem.time, len(problem.time) - 2
     at = (i, min(i + 1, last), min(i + 2, last), min(i + 3, last))
@@ -96,35 +99,35 @@ def segments_from(problem, control, i):
 
 
 @jit_inline
-def _mix(weights, u):
+def _mix(weights: Weights, u: Any) -> Some:
     """Sum of the four knots u by their weights."""
     return weights[0] * u[0] + weights[1] * u[1] + weights[2] * u[2] + weights[3] * u[3]
 
 
 @jit_inline
-def state_of_sample(segments, h, b):
-    """com and needed force w = a - g, two triples, by the knots' weights h in the com and b in the acceleration, for T = 1."""
+def state_of_sample(segments: Segments, h: Weights, bends: Weights) -> tuple[Three, Three]:
+    """com and needed force w = a - g, by the knots' weights h in the com and `bends` in the acceleration, for T = 1."""
     x, y, z = segments.x, segments.y, segments.z
     com = (_mix(h, x), _mix(h, y), _mix(h, z))
     bend = segments.bend
-    return com, (bend * _mix(b, x), bend * _mix(b, y), bend * _mix(b, z) + cost.GRAVITY)
+    return com, (bend * _mix(bends, x), bend * _mix(bends, y), bend * _mix(bends, z) + GRAVITY)
 
 
 @jit_inline
-def _triple(array, j, leg, i):
+def _triple(array: np.ndarray, j: int, leg: int, i: int) -> Three:
     """array[j, leg, :, i] and the next ones as three lanes."""
     return load(array, (j, leg, 0, i)), load(array, (j, leg, 1, i)), load(array, (j, leg, 2, i))
 
 
 @jit_inline
-def physics_of_sample(problem, i, j, com, w, eps):
+def physics_of_sample(problem: Problem, i: int, j: int, com: Three, w: Three, eps: float) -> PhysicsModel:
     """motion.com.cost.physics_model of sample j of the segments from i on."""
     s0, s1 = _triple(problem.support_point, j, 0, i), _triple(problem.support_point, j, 1, i)
     return cost.physics_model(com, w, s0, s1, load(problem.standing, (j, 0, i)), load(problem.standing, (j, 1, i)), eps)
 
 
 @jit_inline
-def comfort_of_leg(problem, i, j, leg, com):
+def comfort_of_leg(problem: Problem, i: int, j: int, leg: int, com: Three) -> ComfortModel:
     """motion.com.cost.comfort_model of one leg in sample j of the segments from i on."""
     q, on = _triple(problem.leg_origin, j, leg, i), load(problem.standing, (j, leg, i))
     nominal = load(problem.nominal_length, (j, leg, i))
@@ -132,21 +135,21 @@ def comfort_of_leg(problem, i, j, leg, com):
 
 
 @jit_inline
-def overreaches(problem, segments, i):
+def overreaches(problem: Problem, segments: Segments, i: int) -> bool:
     """Whether a leg is longer than max_length at an end of the segments from i on: rarely, and only then it costs."""
     found = False
     for end in range(2):
-        c = (segments.x[2 * end], segments.y[2 * end], segments.z[2 * end])
+        com = (segments.x[2 * end], segments.y[2 * end], segments.z[2 * end])
         for leg in range(2):
             q, on = _triple(problem.end_origin, end, leg, i), load(problem.end_standing, (end, leg, i))
-            x, y, z = c[0] - q[0], c[1] - q[1], c[2] - q[2]
+            x, y, z = com[0] - q[0], com[1] - q[1], com[2] - q[2]
             limit = problem.max_length[leg]
             found |= anywhere(on & (x * x + y * y + z * z > limit * limit))
     return found
 
 
 @jit_borrowing
-def reach_cost(problem, control, i):
+def reach_cost(problem: Problem, control: np.ndarray, i: int) -> float:
     """The reach penalties at the ends of the segments from i on that can move."""
     e = 0.0
     for k in range(i, min(i + LANES, len(problem.time) - 1)):
@@ -160,16 +163,16 @@ def reach_cost(problem, control, i):
 
 
 @jit_borrowing
-def costs_from(problem, control, i, eps):
+def costs_from(problem: Problem, control: np.ndarray, i: int, eps: float) -> tuple[float, float]:
     """The share in E of the LANES segments from i on: (as the solver smooths it, the true norm)."""
     samples = problem.support_point.shape[0]
     segments = segments_from(problem, control, i)
     smooth, true = 0.0 * segments.scale, 0.0 * segments.scale
     for j in range(samples):
         s = (j + 0.5) / samples
-        com, w = state_of_sample(segments, spline.position_weights(s, 1.0), spline.acceleration_weights(s, 1.0))
-        r = physics_of_sample(problem, i, j, com, w, eps)[0]
-        comfort = comfort_of_leg(problem, i, j, 0, com)[0] + comfort_of_leg(problem, i, j, 1, com)[0]
+        com, w = state_of_sample(segments, position_weights(s, 1.0), acceleration_weights(s, 1.0))
+        r = physics_of_sample(problem, i, j, com, w, eps).size
+        comfort = comfort_of_leg(problem, i, j, LEFT, com).cost + comfort_of_leg(problem, i, j, RIGHT, com).cost
         smooth += cost.smooth_norm(r, eps) + comfort
         true += r + comfort
     reach = reach_cost(problem, control, i) if overreaches(problem, segments, i) else 0.0
@@ -177,7 +180,7 @@ def costs_from(problem, control, i, eps):
 
 
 @jit_borrowing
-def anchor_cost(problem, control):
+def anchor_cost(problem: Problem, control: np.ndarray) -> float:
     """Energy of the springs that hold the last control point."""
     e, last = 0.0, len(control) - 1
     for k in range(6):
@@ -186,24 +189,24 @@ def anchor_cost(problem, control):
 
 
 @jit_borrowing
-def total_costs(problem, control, eps):
+def total_costs(problem: Problem, control: np.ndarray, eps: float) -> tuple[float, float]:
     """E of control (m + 1, 6): (smoothed, true)."""
     smooth = true = anchor_cost(problem, control)
     for i in range(0, len(problem.time) - 1, LANES):
-        a, b = costs_from(problem, control, i, eps)
-        smooth += a
-        true += b
+        smooth_part, true_part = costs_from(problem, control, i, eps)
+        smooth += smooth_part
+        true += true_part
     return smooth, true
 
 
 @jit_borrowing
-def total_cost(problem, control):
+def total_cost(problem: Problem, control: np.ndarray) -> float:
     """E of control (m + 1, 6)."""
     return total_costs(problem, control, 1.0)[1]
 
 
 @jit
-def straight_guess(problem, control, first):
+def straight_guess(problem: Problem, control: np.ndarray, first: int) -> None:
     """Control points that are not fixed, from `first` on: above the mean of the feet under them, moving with them."""
     m = len(problem.time) - 1
     last_sample = problem.support_point.shape[0] - 1
@@ -220,7 +223,7 @@ def straight_guess(problem, control, first):
 
 
 @jit
-def _add_origins(problem, i, j, sums):
+def _add_origins(problem: Problem, i: int, j: int, sums: np.ndarray) -> int:
     found = 0
     for leg in range(2):
         if problem.standing[j, leg, i]:
@@ -230,7 +233,7 @@ def _add_origins(problem, i, j, sums):
 
 
 @jit_borrowing
-def _guess_velocity(problem, control, i):
+def _guess_velocity(problem: Problem, control: np.ndarray, i: int) -> None:
     """Slope through the neighbours; beside a flight (both feet off at the middle sample) the ballistic one."""
     m = len(problem.time) - 1
     before, after = max(i - 1, 0), min(i + 1, m)
@@ -243,4 +246,4 @@ def _guess_velocity(problem, control, i):
             duration = time[segment + 1] - time[segment]
             for axis in range(3):
                 control[i, 3 + axis] = (control[segment + 1, axis] - control[segment, axis]) / duration
-            control[i, 5] += sign * cost.GRAVITY * duration
+            control[i, 5] += sign * GRAVITY * duration

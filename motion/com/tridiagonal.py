@@ -9,7 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.com.equations import ROWS
+from motion.com.cost import Some
+from motion.com.equations import ROWS, Equations
+from motion.com.problem import Problem
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 from worlds.compiled.lanes import LANES, choose, lanes_of, load, store, total
 
@@ -30,13 +32,13 @@ class Factor(NamedTuple):
 
 
 @jit
-def empty_factor(m):
+def empty_factor(m: int) -> Factor:
     """For m segments."""
     return Factor(np.zeros((m + 1, 6, ROWS)), np.zeros((m + 1, 6, ROWS)), np.zeros((6, ROWS)), np.zeros((m + 1, 6)))
 
 
 @jit_inline
-def _clear(factor, i):
+def _clear(factor: Factor, i: int) -> None:
     """A point that does not move: no equation is left of it."""
     factor.own[i] = 0.0
     factor.next[i] = 0.0
@@ -44,7 +46,7 @@ def _clear(factor, i):
 
 
 @jit_inline
-def _load(equations, factor, i, coupled):
+def _load(equations: Equations, factor: Factor, i: int, coupled: bool) -> None:
     """Puts block i and its coupling to the next one in place, less what the one before leaves in it."""
     own, following, raw, p = factor.own, factor.next, factor.raw, i - 1
     for c in range(6):
@@ -66,7 +68,7 @@ def _load(equations, factor, i, coupled):
 
 
 @jit_inline
-def _eliminate(equations, factor, i):
+def _eliminate(equations: Equations, factor: Factor, i: int) -> None:
     """L of block i and of its coupling, column by column."""
     own, following, raw = factor.own, factor.next, factor.raw
     for c in range(6):
@@ -88,7 +90,7 @@ def _eliminate(equations, factor, i):
 
 
 @jit_inline
-def _substitute(factor, i, u0, u1):
+def _substitute(factor: Factor, i: int, u0: Some, u1: Some) -> None:
     """step of block i, from that of the next one as Lanes, -1 in row R6."""
     own, following, x = factor.own, factor.next, factor.step
     for c in range(5, -1, -1):
@@ -98,7 +100,7 @@ def _substitute(factor, i, u0, u1):
 
 
 @jit_borrowing
-def solve(problem, equations, factor):
+def solve(problem: Problem, equations: Equations, factor: Factor) -> float:
     """step = -(H + DAMPING diag H)^-1 gradient, zero at fixed control points; returns the predicted decrease of E."""
     m = len(problem.time) - 1
     for i in range(m + 1):

@@ -9,9 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from motion.arithmetic.gravity import GRAVITY, pendulum_time
 from motion.track import phases
+from motion.track.footprints import Footprints
 
-GRAVITY = 9.81
 LONGEST = 7.0
 """A stride longer than this, in pendulum times sqrt(h / g), is one in which the character stands still."""
 STANDS = 0.8
@@ -30,14 +31,14 @@ class Strides(NamedTuple):
     stance: np.ndarray  # (N,) [s]
 
 
-def strides_of(prints: dict[str, np.ndarray], begin: float, end: float, hip_height: float) -> Strides:
-    """The strides that lie wholly after `begin` and up to `end` [s]. prints: arrays (K, ...), by contact time."""
+def strides_of(footprints: Footprints, begin: float, end: float, hip_height: float) -> Strides:
+    """The strides that lie wholly after `begin` and up to `end` [s]. footprints (K,), by contact time."""
     rows = []
-    contact, longest = prints["contact_time"], LONGEST * (hip_height / GRAVITY) ** 0.5
+    contact, longest = footprints.contact_time, LONGEST * pendulum_time(hip_height)
     for foot in range(2):
-        own = np.flatnonzero(prints["side"] == foot)
+        own = np.flatnonzero(footprints.side == foot)
         for first, last in zip(own[:-1].tolist(), own[1:].tolist(), strict=True):
-            duration, stance = contact[last] - contact[first], prints["stance_time"][first]
+            duration, stance = contact[last] - contact[first], footprints.stance_time[first]
             inside = contact[first] > begin and contact[last] <= end
             if inside and last - first <= 2 and duration <= longest and stance < STANDS * duration:
                 rows.append((first, first + 1 if last - first == 2 else -1, last, contact[first], duration, stance))
@@ -45,7 +46,7 @@ def strides_of(prints: dict[str, np.ndarray], begin: float, end: float, hip_heig
     return Strides(*(column.astype(np.int64) for column in columns[:3]), *columns[3:])
 
 
-class Ways(NamedTuple):
+class Excursions(NamedTuple):
     """What the com does over each of N strides [m]; NaN where the recording does not reach half a stride to either side."""
 
     bob: np.ndarray  # (N,) highest less lowest
@@ -54,8 +55,8 @@ class Ways(NamedTuple):
     length: np.ndarray  # (N,) gone along the walked line
 
 
-def ways_of(strides: Strides, time: np.ndarray, com: np.ndarray) -> Ways:
-    """The com's way over each stride. com (F, 3) at evenly spaced times (F,) [s]."""
+def excursions_of(strides: Strides, time: np.ndarray, com: np.ndarray) -> Excursions:
+    """What the com does over each stride. com (F, 3) at evenly spaced times (F,) [s]."""
     out = np.full((4, len(strides.begin)), np.nan)
     for i, (begin, duration, stance) in enumerate(zip(strides.begin, strides.duration, strides.stance, strict=True)):
         part = slice(*np.searchsorted(time, (begin - 0.5 * duration, begin + 1.5 * duration)))
@@ -65,7 +66,7 @@ def ways_of(strides: Strides, time: np.ndarray, com: np.ndarray) -> Ways:
         left, up, along = off_line(time[part], com[part], duration)[inside].T
         middle = np.interp(begin + 0.5 * stance, time[part][inside], up)
         out[:, i] = np.ptp(up), np.ptp(left), (middle - up.min()) / max(np.ptp(up), 1e-9), along.mean() * duration
-    return Ways(*out)
+    return Excursions(*out)
 
 
 def off_line(time: np.ndarray, com: np.ndarray, span: float) -> np.ndarray:
@@ -113,34 +114,34 @@ def moving(strides: Strides, time: np.ndarray) -> np.ndarray:
     return np.cumsum(change[:-1]) > 0
 
 
-def stepping(strides: Strides, prints: dict[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+def stepping(strides: Strides, footprints: Footprints) -> tuple[np.ndarray, np.ndarray]:
     """(step length, step width) (M,) [m] of the strides with both feet: half the stride, and the other foot's distance from
     its line, negative where it crosses over."""
     both = strides.between >= 0
     first, other, last = (part[both] for part in (strides.first, strides.between, strides.last))
-    place, heading = prints["position"][:, :2], prints["heading"]
+    place, heading = footprints.position[:, :2], footprints.heading
     way, off = place[last] - place[first], place[other] - place[first]
     length = np.hypot(way[:, 0], way[:, 1])
     goes = np.sign(way[:, 0] * np.cos(heading[first]) + way[:, 1] * np.sin(heading[first]))
     left = goes * (way[:, 0] * off[:, 1] - way[:, 1] * off[:, 0]) / np.maximum(length, 1e-9)
-    return 0.5 * length, np.where(prints["side"][other] == 0, left, -left)
+    return 0.5 * length, np.where(footprints.side[other] == 0, left, -left)
 
 
-def report(prints: dict[str, np.ndarray], time: np.ndarray, com: np.ndarray, phase: np.ndarray, hip_height: float) -> dict:
+def report(footprints: Footprints, time: np.ndarray, com: np.ndarray, phase: np.ndarray, hip_height: float) -> dict:
     """The gait in figures: means over all strides (None where there is none); lengths in m, cadence in steps per minute."""
-    strides = strides_of(prints, float(time[0]), float(time[-1]), hip_height)
-    ways, going = ways_of(strides, time, com), moving(strides, time)
-    length, width = stepping(strides, prints)
+    strides = strides_of(footprints, float(time[0]), float(time[-1]), hip_height)
+    excursions, going = excursions_of(strides, time, com), moving(strides, time)
+    length, width = stepping(strides, footprints)
     shares = shares_of(strides, time)
     steps = np.where(strides.between < 0, 1, 2)
-    speed = _mean(ways.length / strides.duration)
+    speed = _mean(excursions.length / strides.duration)
     return {
         "name": max(GAITS, key=lambda name: shares[name]),
         "shares": shares,
         "strides": len(strides.begin),
-        "bob": _mean(ways.bob),
-        "sway": _mean(ways.sway),
-        "height_at_midstance": _mean(ways.at_midstance),
+        "bob": _mean(excursions.bob),
+        "sway": _mean(excursions.sway),
+        "height_at_midstance": _mean(excursions.at_midstance),
         "step_length": _mean(length),
         "step_width": _mean(width),
         "cadence": float(60 * steps.sum() / strides.duration.sum()) if len(steps) else None,

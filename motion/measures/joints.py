@@ -10,6 +10,7 @@ Rates are central differences between evenly spaced frames: a jump of the angula
 
 import numpy as np
 
+from motion.arithmetic.rotations import axes_of
 from worlds.compiled.jit import jit
 
 POP_PERCENTILE = 99.0
@@ -20,21 +21,13 @@ def angles(frames: dict[str, np.ndarray], three_links: bool) -> dict[str, np.nda
     """Angle (F, 2) [rad] of each joint. frames: hip, knee, hock, ankle, heel, ball (F, 2, 3), body_rotation_wxyz (F, 4)."""
     thigh, shank = frames["knee"] - frames["hip"], frames["hock"] - frames["knee"]
     last = frames["ankle"] - frames["hock"] if three_links else shank
-    forward, up = _axes(frames["body_rotation_wxyz"])
+    forward, _, up = axes_of(frames["body_rotation_wxyz"])
     out = {"hip": np.arctan2(np.einsum("fsk,fk->fs", thigh, forward), -np.einsum("fsk,fk->fs", thigh, up))}
     out["knee"] = _between(thigh, shank)
     if three_links:
         out["hock"] = _between(shank, last)
     out["ankle"] = _between(last, frames["ball"] - frames["heel"])
     return out
-
-
-def _axes(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The body's forward and up axes (F, 3) in the world, of wxyz quaternions (F, 4)."""
-    w, x, y, z = q.T
-    forward = np.column_stack([1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)])
-    up = np.column_stack([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)])
-    return forward, up
 
 
 def _between(u: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -76,7 +69,7 @@ def shank_distance(knee: np.ndarray, hock: np.ndarray, ankle: np.ndarray) -> np.
 
 
 @jit
-def _shank_distances(knee, hock, ankle, out):
+def _shank_distances(knee: np.ndarray, hock: np.ndarray, ankle: np.ndarray, out: np.ndarray) -> None:
     for f in range(len(knee)):
         k, h, a = knee[f], hock[f], ankle[f]
         upper = min(segment_distance(k[0], h[0], k[1], h[1]), segment_distance(k[0], h[0], h[1], a[1]))
@@ -85,7 +78,7 @@ def _shank_distances(knee, hock, ankle, out):
 
 
 @jit
-def segment_distance(p, q, r, s):
+def segment_distance(p: np.ndarray, q: np.ndarray, r: np.ndarray, s: np.ndarray) -> float:
     """Distance between the segments p q and r s, points (3,), which may be as short as they like.
 
     |p + x u - r - y v| with u = q - p, v = s - r is least at the x of the lines' nearest points, cut to 0..1, then at the y

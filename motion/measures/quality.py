@@ -6,8 +6,11 @@ that are on the ground must not move, however the foot rolls: at first perhaps t
 
 import numpy as np
 
+from motion.arithmetic.gravity import GRAVITY
 from motion.com import cost
 from motion.track import phases
+from motion.track.foot import along_sole
+from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit
 
 PHASES = {"left": phases.LEFT_STANCE, "right": phases.RIGHT_STANCE, "double": phases.DOUBLE_STANCE}
@@ -24,29 +27,34 @@ def stance_slide(toe: np.ndarray, contact: np.ndarray) -> float:
     return float(way[held].max(initial=0.0))
 
 
-def footing(time: np.ndarray, contact: np.ndarray, prints: dict[str, np.ndarray]) -> np.ndarray:
-    """Footprint (F, 2) on which each foot stands, -1 in the air. prints: arrays (K, ...) of one character, by contact time."""
+def footing(time: np.ndarray, contact: np.ndarray, footprints: Footprints) -> np.ndarray:
+    """Footprint (F, 2) on which each foot stands, -1 in the air. footprints (K,) of one character, by contact time."""
     out = np.full(contact.shape, -1)
     for foot in range(2):
-        own = np.flatnonzero(prints["side"] == foot)
-        last = np.searchsorted(prints["contact_time"][own], time + phases.SHORTEST_PHASE, side="right") - 1
+        own = np.flatnonzero(footprints.side == foot)
+        last = np.searchsorted(footprints.contact_time[own], time + phases.SHORTEST_PHASE, side="right") - 1
         if len(own):
             out[:, foot] = np.where(contact[:, foot] & (last >= 0), own[np.maximum(last, 0)], -1)
     return out
 
 
-def marks(prints: dict[str, np.ndarray], foot_length: float, ball_forward: float) -> np.ndarray:
-    """Where heel, ball and toe of each footprint are (K, 3, 3) [m], as motion.track.foot.along_sole lays them."""
-    c, s, n = np.cos(prints["heading"]), np.sin(prints["heading"]), prints["normal"]
-    axis = np.column_stack([c, s, -(n[:, 0] * c + n[:, 1] * s) / n[:, 2]])
-    axis /= np.linalg.norm(axis, axis=1)[:, None]
-    along = np.array([-0.5 * foot_length, ball_forward, 0.5 * foot_length])
-    return prints["position"][:, None] + along[None, :, None] * axis[:, None]
+def marks(footprints: Footprints, foot_length: float, ball_forward: float) -> np.ndarray:
+    """Where heel, ball and toe of each footprint are (K, 3, 3) [m]."""
+    out = np.empty((len(footprints.side), 3, 3))
+    _lay_marks(footprints, np.array([-0.5 * foot_length, ball_forward, 0.5 * foot_length]), out)
+    return out
 
 
-def on_ground(sole: np.ndarray, stands: np.ndarray, prints: dict[str, np.ndarray]) -> np.ndarray:
+@jit
+def _lay_marks(footprints: Footprints, forward: np.ndarray, out: np.ndarray) -> None:
+    for n in range(len(out)):
+        for k in range(len(forward)):
+            out[n, k, 0], out[n, k, 1], out[n, k, 2] = along_sole(footprints, n, forward[k], 0.0)
+
+
+def on_ground(sole: np.ndarray, stands: np.ndarray, footprints: Footprints) -> np.ndarray:
     """Which points of the sole carry (F, 2, 3) bool: the lowest over the plane of the footprint `stands` (F, 2)."""
-    up, origin = prints["normal"][stands], prints["position"][stands]
+    up, origin = footprints.normal[stands], footprints.position[stands]
     height = np.einsum("fsek,fsk->fse", sole - origin[:, :, None], up)
     return (height <= height.min(axis=2, keepdims=True) + ON_GROUND) & (stands >= 0)[:, :, None]
 
@@ -68,12 +76,12 @@ def footprint_error(sole: np.ndarray, down: np.ndarray, stands: np.ndarray, plac
     return float(np.linalg.norm(sole - places[stands], axis=3)[down].max(initial=0.0))
 
 
-def contact_error(time: np.ndarray, contact: np.ndarray, prints: dict[str, np.ndarray]) -> int:
+def contact_error(time: np.ndarray, contact: np.ndarray, footprints: Footprints) -> int:
     """Most frames in a row in which a foot stands though by its footprints' times it should not, or the other way round."""
     worst = 0
     for foot in range(2):
-        own = prints["side"] == foot
-        begin, end = prints["contact_time"][own], prints["contact_time"][own] + prints["stance_time"][own]
+        own = footprints.side == foot
+        begin, end = footprints.contact_time[own], footprints.contact_time[own] + footprints.stance_time[own]
         wrong = np.ones(len(time), bool)
         for slack in (-phases.SHORTEST_PHASE, phases.SHORTEST_PHASE):
             t = time + slack
@@ -108,7 +116,7 @@ def overreach(hip: np.ndarray, ankle: np.ndarray, max_length: float) -> float:
 def flight_residual(acceleration: np.ndarray, phase: np.ndarray) -> float:
     """Mean |a - g| over the frames of flight [m/s^2]; 0 without any."""
     flying = phase == phases.FLIGHT
-    g = np.array([0.0, 0.0, -cost.GRAVITY])
+    g = np.array([0.0, 0.0, -GRAVITY])
     return float(np.linalg.norm(acceleration[flying] - g, axis=1).mean()) if flying.any() else 0.0
 
 
@@ -122,7 +130,7 @@ def by_phase(values: np.ndarray, phase: np.ndarray) -> dict[str, dict[str, float
     return report
 
 
-def physics_cost(com, acceleration, point_of_support, contact) -> np.ndarray:
+def physics_cost(com: np.ndarray, acceleration: np.ndarray, point_of_support: np.ndarray, contact: np.ndarray) -> np.ndarray:
     """The physics cost (F,) from a recording's own arrays (paper, section 2.4): what the recorded one must equal."""
     out = np.empty(len(com))
     support = np.nan_to_num(np.ascontiguousarray(point_of_support))
@@ -131,7 +139,8 @@ def physics_cost(com, acceleration, point_of_support, contact) -> np.ndarray:
 
 
 @jit
-def _physics_costs(com, a, support, contact, out):
+def _physics_costs(
+    com: np.ndarray, acceleration: np.ndarray, support: np.ndarray, contact: np.ndarray, out: np.ndarray
+) -> None:
     for f in range(len(com)):
-        w2 = a[f, 2] + cost.GRAVITY
-        out[f] = cost.physics_cost(com[f, 0], com[f, 1], com[f, 2], a[f, 0], a[f, 1], w2, support[f], contact[f])
+        out[f] = cost.physics_cost(com[f], acceleration[f], support[f], contact[f])

@@ -1,150 +1,71 @@
-"""The body above the legs (paper, section 2.5): trunk, pelvis, neck and head, as functions of time.
-
-Everything reads the committed curve and the footprints. Accelerations of the curve jump where phases change, so the body
-follows `trend`, the second difference of the com over a DELAY (the acceleration under a triangle of that width): it is
-continuous, and lags as flesh does. The trunk leans over the leg that carries it, into turns with the lateral trend, forward
-with speed, and nods with the vertical one. The pelvis turns with the legs and drops toward the swinging one; the chest
-turns against it; the head looks where the feet will go and takes part in the trunk's pitch and roll as little as it likes.
-"""
-
-from math import atan2, cos, sin, sqrt
+"""Posing what is above the legs: pelvis, chest, head, arms and tail."""
 
 import numpy as np
 
-from motion.track import heading, spline
-from worlds.compiled.jit import jit_borrowing
+from motion.arithmetic import rotations
+from motion.arithmetic.triples import Triple
+from motion.characters.dimensions import Dimensions
+from motion.pose import limbs, trunk
+from motion.pose.pose import Pose
+from motion.track.curve import Track
+from motion.track.footprints import LEFT, RIGHT
+from worlds.compiled.jit import jit_inline, stack_array
 
-GRAVITY = 9.81
-DELAY = 0.3
-"""Width of the smoothing, in pendulum times sqrt(l / g): more is calmer, and later."""
-PAST = 9
-"""Moments of the past that are looked at: enough for a tail of TAIL pieces, each a DELAY later."""
-RECENT = 3
-"""Those that the trunk follows."""
-LOOKS_ASIDE = 1.0
-"""Largest turn of the head against the body [rad]."""
-HELD = 0.62
-"""Share of a step in which a bobbing head stays in place."""
+_empty_past = stack_array(trunk.PAST, 3)
 
 
-@jit_borrowing
-def delay(b):
-    """Seconds between the moments of the past."""
-    return DELAY * sqrt(b.nominal_length / GRAVITY)
+@jit_inline
+def _leg_angle(biped: Dimensions, pose: Pose, c: int, leg: int, yaw: float) -> float:
+    """How far the leg is ahead of its hip [rad]."""
+    x, y = pose.ankle[c, leg, 0] - pose.hip[c, leg, 0], pose.ankle[c, leg, 1] - pose.hip[c, leg, 1]
+    return np.arctan((np.cos(yaw) * x + np.sin(yaw) * y) / biped.leg.nominal_length)
 
 
-@jit_borrowing
-def past_of(b, curve_time, control, t, past):
-    """Fills past (PAST, 3) with the com now and in the last moments; before the beginning it stood there.
-
-    Only a tail looks further back than RECENT moments.
-    """
-    step = delay(b)
-    for k in range(PAST if b.tail_length > 0 else RECENT):
-        spline.position_at(curve_time, control, max(t - k * step, curve_time[0]), past[k])
+@jit_inline
+def _turn(array: np.ndarray, c: int, rotation: rotations.Quaternion) -> None:
+    for i in range(4):
+        array[c, i] = rotation[i]
 
 
-@jit_borrowing
-def trend(b, past, k):
-    """Smoothed acceleration (x, y, z) [m/s^2] about k + 1 delays ago."""
-    step = delay(b)
-    scale = 1 / (step * step)
-    return (
-        scale * (past[k, 0] - 2 * past[k + 1, 0] + past[k + 2, 0]),
-        scale * (past[k, 1] - 2 * past[k + 1, 1] + past[k + 2, 1]),
-        scale * (past[k, 2] - 2 * past[k + 1, 2] + past[k + 2, 2]),
-    )
+@jit_inline
+def _pose_arms(biped: Dimensions, chest: rotations.Axes, angles: tuple[float, float], pace: float, pose: Pose, c: int) -> None:
+    """Arms against the legs, whose angles they are given."""
+    for side in range(2):
+        joints = limbs.arm(biped, chest, 1 - 2 * side, angles[1 - side], pace)
+        for axis in range(3):
+            pose.shoulder[c, side, axis] = pose.com[c, axis] + joints[0][axis]
+            pose.elbow[c, side, axis] = pose.com[c, axis] + joints[1][axis]
+            pose.hand[c, side, axis] = pose.com[c, axis] + joints[2][axis]
 
 
-@jit_borrowing
-def speed_ahead(b, past, yaw):
-    """Smoothed speed along the heading [m/s]."""
-    return (cos(yaw) * (past[0, 0] - past[2, 0]) + sin(yaw) * (past[0, 1] - past[2, 1])) / (2 * delay(b))
+@jit_inline
+def _pose_head(biped: Dimensions, headings: Triple, pitch: float, roll: float, bob: float, pose: Pose, c: int) -> None:
+    """Neck and head, for the headings of body, chest and look; bob: how far the head is ahead of its middle place [m]."""
+    body, loose, (yaw, chest, look) = biped.body, 1 - biped.body.head_steady, headings
+    _turn(pose.head_rotation_wxyz, c, rotations.quaternion(look, loose * pitch, loose * roll))
+    neck = rotations.turned(chest, pitch, roll, body.neck_forward, 0.0, body.neck_up)
+    forward, up = body.head_forward - body.neck_forward + bob, body.head_up - body.neck_up
+    above = rotations.turned(0.5 * (yaw + look), loose * pitch, loose * roll, forward, 0.0, up)
+    for axis in range(3):
+        pose.neck[c, axis] = pose.com[c, axis] + neck[axis]
+        pose.head[c, axis] = pose.neck[c, axis] + above[axis]
 
 
-@jit_borrowing
-def pace(b, past, yaw):
-    """Speed along the heading as a share of sqrt(g h): about 0.45 walking, 1 at a run."""
-    return speed_ahead(b, past, yaw) / sqrt(GRAVITY * b.hip_height)
-
-
-@jit_borrowing
-def pitch_and_roll(b, past, yaw):
-    """(pitch, roll) [rad] of the trunk; pitch is positive nose down."""
-    c, s = cos(yaw), sin(yaw)
-    x, y, z = trend(b, past, 0)
-    forward, left, up = c * x + s * y, c * y - s * x, min(max(z / GRAVITY, -1.0), 1.0)
-    nod = b.pitch_amplitude * (min(max(forward / 2.0, -1.0), 1.0) - 0.5 * up)
-    sway = b.roll_amplitude * min(max(left / 1.5, -1.0), 1.0)
-    lean = b.lean_speed * min(max(pace(b, past, yaw), -0.5), 1.5)
-    return nod + lean, -sway - b.lean_gain * atan2(left, 2 * GRAVITY)
-
-
-@jit_borrowing
-def head_offset(b, track, past, yaw, t):
-    """How far a bobbing head is ahead of its middle place [m]: it stays where it is while the body walks on, then darts."""
-    if b.head_bob == 0:
-        return 0.0
-    i = max(np.searchsorted(track.contact_time, t, side="right") - 1, 0)
-    u = min(max((t - track.contact_time[i]) / max(track.step_time[i], 1e-3), 0.0), 1.0)
-    rest = 0.5 * HELD
-    if u < rest:
-        share = -u
-    elif u > 1 - rest:
-        share = 1 - u
-    else:
-        x = (u - rest) / (1 - HELD)
-        share = HELD * (x * x * (3 - 2 * x) - 0.5)
-    return (
-        b.head_bob * share * min(max(speed_ahead(b, past, yaw) * track.step_time[i], -0.6 * b.hip_height), 0.6 * b.hip_height)
-    )
-
-
-@jit_borrowing
-def gaze(b, track, yaw, t):
-    """Heading of the head [rad]: where the feet are going, before the body does."""
-    ahead = heading.mean_heading(track, t, 0.4 * heading.window_length(b))
-    return yaw + min(max(ahead - yaw, -LOOKS_ASIDE), LOOKS_ASIDE)
-
-
-@jit_borrowing
-def quaternion(yaw, pitch, roll):
-    """wxyz of R = Rz(yaw) Ry(pitch) Rx(roll), body to world."""
-    cy, sy = cos(0.5 * yaw), sin(0.5 * yaw)
-    cp, sp = cos(0.5 * pitch), sin(0.5 * pitch)
-    cr, sr = cos(0.5 * roll), sin(0.5 * roll)
-    return (
-        cy * cp * cr + sy * sp * sr,
-        cy * cp * sr - sy * sp * cr,
-        cy * sp * cr + sy * cp * sr,
-        sy * cp * cr - cy * sp * sr,
-    )
-
-
-@jit_borrowing
-def axes(yaw, pitch, roll):
-    """(forward, left, up), each (3,) in the world, of a body turned by R = Rz(yaw) Ry(pitch) Rx(roll)."""
-    return (
-        turned(yaw, pitch, roll, 1.0, 0.0, 0.0),
-        turned(yaw, pitch, roll, 0.0, 1.0, 0.0),
-        turned(yaw, pitch, roll, 0.0, 0.0, 1.0),
-    )
-
-
-@jit_borrowing
-def along(axes, forward, left, up):
-    """The vector (forward, left, up) of a body with these axes, in the world."""
-    f, s, u = axes
-    return (
-        forward * f[0] + left * s[0] + up * u[0],
-        forward * f[1] + left * s[1] + up * u[1],
-        forward * f[2] + left * s[2] + up * u[2],
-    )
-
-
-@jit_borrowing
-def turned(yaw, pitch, roll, forward, left, up):
-    """The vector (forward, left, up) of a body turned by R = Rz(yaw) Ry(pitch) Rx(roll), in the world."""
-    y, z = cos(roll) * left - sin(roll) * up, sin(roll) * left + cos(roll) * up
-    x, z = cos(pitch) * forward + sin(pitch) * z, cos(pitch) * z - sin(pitch) * forward
-    return cos(yaw) * x - sin(yaw) * y, sin(yaw) * x + cos(yaw) * y, z
+@jit_inline
+def pose_body(biped: Dimensions, track: Track, yaw: float, swung: tuple[float, float], t: float, pose: Pose, c: int) -> None:
+    """Everything above the legs; swung as feet.pose_leg returns it, of the left and the right leg."""
+    body, past = biped.body, _empty_past()
+    trunk.past_of(biped, track.curve, t, past)
+    pitch, roll = trunk.pitch_and_roll(biped, past, yaw)
+    angles = (_leg_angle(biped, pose, c, LEFT, yaw), _leg_angle(biped, pose, c, RIGHT, yaw))
+    apart = min(max(angles[0] - angles[1], -1.0), 1.0)
+    chest = yaw + body.chest_turn * apart
+    drop = body.pelvis_drop * (swung[1] - swung[0])
+    _turn(pose.body_rotation_wxyz, c, rotations.quaternion(yaw, pitch, roll))
+    _turn(pose.pelvis_rotation_wxyz, c, rotations.quaternion(yaw - body.pelvis_turn * apart, 0.4 * pitch, 0.4 * roll + drop))
+    _turn(pose.chest_rotation_wxyz, c, rotations.quaternion(chest, pitch, roll))
+    look = trunk.gaze(biped, track.footprints, yaw, t)
+    bob = trunk.head_offset(biped, track.footprints, past, yaw, t)
+    _pose_head(biped, (yaw, chest, look), pitch, roll, bob, pose, c)
+    _pose_arms(biped, rotations.axes(chest, pitch, roll), angles, trunk.pace(biped, past, yaw), pose, c)
+    limbs.lay_tail(biped, track.footprints, past, pose.com[c], (yaw, pitch, roll), t, pose.tail[c])

@@ -8,6 +8,8 @@ always stays on its footprint: a leg that is too short for it stretches, and `me
 
 from math import exp, sqrt
 
+from motion.arithmetic.triples import Triple
+from motion.characters.dimensions import Dimensions
 from worlds.compiled.jit import jit_borrowing
 
 SOFT_FROM = 0.96
@@ -15,7 +17,7 @@ SOFT_FROM = 0.96
 
 
 @jit_borrowing
-def soft_stretch(share):
+def soft_stretch(share: float) -> float:
     """Stretch of the links at d = share of their length: with r = 1 - SOFT_FROM they bend as for SOFT_FROM + r (1 - exp(-x)),
     x = (share - SOFT_FROM) / r, which is never 1; at full extension they are 2 % longer."""
     if share <= SOFT_FROM:
@@ -25,16 +27,16 @@ def soft_stretch(share):
 
 
 @jit_borrowing
-def _bend(a, b, hip, ankle, pole):
-    """Unit vectors of the first and second link, and the stretch that they need. pole (3) need not be a unit vector."""
+def _bend(upper: float, lower: float, hip: Triple, ankle: Triple, pole: Triple) -> tuple[Triple, Triple, float]:
+    """Unit vectors of the first and second link, and the stretch that they need. pole need not be a unit vector."""
     x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
     d = max(sqrt(x * x + y * y + z * z), 1e-9)
     u = (x / d, y / d, z / d)
     along = pole[0] * u[0] + pole[1] * u[1] + pole[2] * u[2]
     px, py, pz = pole[0] - along * u[0], pole[1] - along * u[1], pole[2] - along * u[2]
     length = max(sqrt(px * px + py * py + pz * pz), 1e-9)
-    stretch = soft_stretch(d / (a + b))
-    a, b = a * stretch, b * stretch
+    stretch = soft_stretch(d / (upper + lower))
+    a, b = upper * stretch, lower * stretch
     cosine = min(max((a * a + d * d - b * b) / (2 * a * d), -1.0), 1.0)
     sine = sqrt(1 - cosine * cosine)
     first = (
@@ -47,12 +49,13 @@ def _bend(a, b, hip, ankle, pole):
 
 
 @jit_borrowing
-def joints(b, hip, ankle, pole):
+def joints(biped: Dimensions, hip: Triple, ankle: Triple, pole: Triple) -> tuple[Triple, Triple]:
     """(knee, hock) of the leg from hip to ankle, the knee toward `pole`; a two-link leg's hock is its ankle."""
-    first, second, stretch = _bend(b.thigh + b.metatarsus, b.shank, hip, ankle, pole)
-    thigh, shank = b.thigh * stretch, b.shank * stretch
+    leg = biped.leg
+    first, second, stretch = _bend(leg.thigh + leg.metatarsus, leg.shank, hip, ankle, pole)
+    thigh, shank = leg.thigh * stretch, leg.shank * stretch
     knee = (hip[0] + thigh * first[0], hip[1] + thigh * first[1], hip[2] + thigh * first[2])
-    if b.metatarsus == 0:
+    if leg.metatarsus == 0:
         return knee, ankle
     hock = (knee[0] + shank * second[0], knee[1] + shank * second[1], knee[2] + shank * second[2])
     return knee, hock

@@ -2,8 +2,15 @@
 
 from math import cos, sin
 
-from motion.pose import body
+import numpy as np
+
+from motion.arithmetic.gravity import GRAVITY
+from motion.arithmetic.rotations import Axes, along, turned
+from motion.arithmetic.triples import Triple
+from motion.characters.dimensions import Dimensions
+from motion.pose import trunk
 from motion.track import heading
+from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit_borrowing
 
 TAIL = 6
@@ -17,52 +24,61 @@ WHIP, FLAP = 0.22, 0.16
 
 
 @jit_borrowing
-def arm(b, chest, side, leg_angle, pace):
-    """(shoulder, elbow, hand), each (3,) from the com, of the arm on `side` (1 left, -1 right); leg_angle [rad] of the other
-    side's leg, forward of the hip; chest: its axes, of motion.pose.body.axes."""
-    shoulder = (b.shoulder_forward, side * b.shoulder_side, b.shoulder_up)
-    if b.upper_arm + b.forearm == 0:
-        there = body.along(chest, shoulder[0], shoulder[1], shoulder[2])
+def arm(biped: Dimensions, chest: Axes, side: int, leg_angle: float, pace: float) -> tuple[Triple, Triple, Triple]:
+    """(shoulder, elbow, hand), from the com, of the arm on `side` (1 left, -1 right).
+
+    leg_angle [rad] of the other side's leg, forward of the hip; pace as trunk.pace; chest: its axes.
+    """
+    body = biped.body
+    shoulder = (body.shoulder_forward, side * body.shoulder_side, body.shoulder_up)
+    if body.upper_arm + body.forearm == 0:
+        there = along(chest, shoulder[0], shoulder[1], shoulder[2])
         return there, there, there
-    swing = b.arm_swing * leg_angle
+    swing = body.arm_swing * leg_angle
     running = min(max(2 * pace - 0.9, 0.0), 1.0)
-    bend = b.elbow_bend + running * RUNNERS_BEND + 0.45 * max(swing, 0.0)
+    bend = body.elbow_bend + running * RUNNERS_BEND + 0.45 * max(swing, 0.0)
     out = side * sin(OUTWARD)
     elbow = (
-        shoulder[0] + b.upper_arm * sin(swing),
-        shoulder[1] + b.upper_arm * out,
-        shoulder[2] - b.upper_arm * cos(OUTWARD) * cos(swing),
+        shoulder[0] + body.upper_arm * sin(swing),
+        shoulder[1] + body.upper_arm * out,
+        shoulder[2] - body.upper_arm * cos(OUTWARD) * cos(swing),
     )
     inward = -side * 0.25 * running
     hand = (
-        elbow[0] + b.forearm * sin(swing + bend),
-        elbow[1] + b.forearm * inward,
-        elbow[2] - b.forearm * cos(swing + bend),
+        elbow[0] + body.forearm * sin(swing + bend),
+        elbow[1] + body.forearm * inward,
+        elbow[2] - body.forearm * cos(swing + bend),
     )
     return (
-        body.along(chest, shoulder[0], shoulder[1], shoulder[2]),
-        body.along(chest, elbow[0], elbow[1], elbow[2]),
-        body.along(chest, hand[0], hand[1], hand[2]),
+        along(chest, shoulder[0], shoulder[1], shoulder[2]),
+        along(chest, elbow[0], elbow[1], elbow[2]),
+        along(chest, hand[0], hand[1], hand[2]),
     )
 
 
 @jit_borrowing
-def lay_tail(b, track, past, com, yaw, pitch, roll, t, tail):
-    """Fills tail (TAIL + 1, 3), root first, world: piece k follows what the body did k + 1 delays ago."""
-    x, y, z = body.turned(yaw, pitch, roll, b.tail_forward, 0.0, b.tail_up)
+def lay_tail(
+    biped: Dimensions, footprints: Footprints, past: np.ndarray, com: np.ndarray, angles: Triple, t: float, tail: np.ndarray
+) -> None:
+    """Fills tail (TAIL + 1, 3), root first, world: piece k follows what the body did k + 1 delays ago.
+
+    angles: the body's yaw, pitch and roll [rad].
+    """
+    body, (yaw, pitch, roll) = biped.body, angles
+    x, y, z = turned(yaw, pitch, roll, body.tail_forward, 0.0, body.tail_up)
     tail[0, 0], tail[0, 1], tail[0, 2] = com[0] + x, com[1] + y, com[2] + z
-    if b.tail_length == 0:
+    if body.tail_length == 0:
         for k in range(1, TAIL + 1):
             tail[k, 0], tail[k, 1], tail[k, 2] = tail[0, 0], tail[0, 1], tail[0, 2]
         return
-    piece, step = b.tail_length / TAIL, body.delay(b)
+    piece, step = body.tail_length / TAIL, trunk.delay(biped)
     for k in range(TAIL):
-        then = heading.body_heading(b, track, t - (k + 1) * step)
-        ax, ay, az = body.trend(b, past, k)
+        then = heading.body_heading(biped, footprints, t - (k + 1) * step)
+        ax, ay, az = trunk.trend(biped, past, k)
         left = cos(then) * ay - sin(then) * ax
-        share = b.tail_sway * (k + 1) / TAIL
-        bend = yaw + b.tail_sway * (then - yaw) + WHIP * share * min(max(left / 2.0, -1.5), 1.5)
-        rise = b.tail_rise - 0.5 * pitch - FLAP * share * min(max(az / body.GRAVITY, -1.0), 1.0)
+        share = body.tail_sway * (k + 1) / TAIL
+        bend = yaw + body.tail_sway * (then - yaw) + WHIP * share * min(max(left / 2.0, -1.5), 1.5)
+        rise = body.tail_rise - 0.5 * pitch - FLAP * share * min(max(az / GRAVITY, -1.0), 1.0)
         tail[k + 1, 0] = tail[k, 0] - piece * cos(rise) * cos(bend)
         tail[k + 1, 1] = tail[k, 1] - piece * cos(rise) * sin(bend)
         tail[k + 1, 2] = tail[k, 2] + piece * sin(rise)

@@ -1,26 +1,154 @@
-"""Timed footprints: what motion consumes (paper, section 2.1)."""
+"""Footprints: what motion is made from (paper, section 2.1). This file alone makes, places, copies and forgets their rows.
 
-from typing import NamedTuple
+A footprint has five animator's degrees of freedom: x, y, heading, stance time and step time. `Footprints` are rows of them as
+they are walked: laid on the ground and timed. A `Step` is how planners, files and programs ask for the next one. A new column
+is one line of `Footprints`, and a line where it is known.
+"""
+
+from math import nan
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
+from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.tables import Column, Indices, Integers, Numbers, Pairs, Truths, Vectors, copy_row, part
 
-class Track(NamedTuple):
-    """n footprints in the order of their contacts, world frame, SI units.
+LEFT, RIGHT = 0, 1
+SIDES = ("left", "right")
+"""Feet by their numbers: everywhere, all of the left foot comes first."""
+
+
+class Step(NamedTuple):
+    """The step to the next footprint, as it is asked for; world frame, SI units. What is NaN is automatic."""
+
+    side: int  # LEFT or RIGHT
+    x: float  # middle of the sole [m]
+    y: float
+    heading: float  # counter-clockwise from +x, unwrapped: neighbours differ by the turn [rad]
+    time: float = nan  # from the contact of the footprint that it leaves to that of its own [s]
+    stance_time: float = nan  # of the footprint that it leaves [s]
+    stands: float = 0.0  # the foot does not move but stands on where it is, for so long [s]; 0: it moves
+    crouch: float = 1.0  # share of the nominal leg over it
+    facing: float = 0.0  # how far the body turns away from the feet over it [rad]
+
+
+STEP = np.dtype([(name, np.int64 if name == "side" else np.float64) for name in Step._fields])
+"""A Step in an array of them."""
+
+
+class Footprints(NamedTuple):
+    """n footprints in the order of their contacts; world frame, SI units.
 
     Footprint i stands over [contact, contact + stance]; contact[i + 1] = contact[i] + step_time[i]. Standing still is a
     footprint coincident with the same foot's last one, whose stance ends exactly at the new contact.
     """
 
-    side: np.ndarray  # (n,) int64, 0 left, 1 right
-    position: np.ndarray  # (n, 3) middle of the sole [m]
-    heading: np.ndarray  # (n,) [rad], counter-clockwise from +x, unwrapped: neighbours differ by the turn
-    normal: np.ndarray  # (n, 3) unit normal of the sole
-    contact_time: np.ndarray  # (n,) [s]
-    stance_time: np.ndarray  # (n,) [s]
-    step_time: np.ndarray  # (n,) [s] until the next footfall
-    roll: np.ndarray  # (n, 2) where on the sole the support begins and ends: 0 heel, 1 toe, 0.5 the middle
-    nominal_length: np.ndarray  # (n,) comfortable virtual leg over this footprint [m]: less is crouched
-    facing: np.ndarray  # (n,) how far the body turns away from the feet over this footprint [rad]
-    lift: np.ndarray  # (n,) [m] height of the swing that arrives here above the line between its ends
-    hold: np.ndarray  # (n,) share of that swing, at either end, in which the foot goes only up or down
+    side: Integers  # (n,) LEFT or RIGHT
+    position: Vectors  # (n, 3) middle of the sole [m]
+    heading: Numbers  # (n,) counter-clockwise from +x, unwrapped [rad]
+    normal: Annotated[np.ndarray, Column(shape=(3,), fill=(0.0, 0.0, 1.0))]  # (n, 3) unit normal of the sole
+    rock: Indices  # (n,) the rock it lies on, -1 on land
+    stands: Truths  # (n,) bool: the foot has not moved, it only stands on
+    contact_time: Numbers  # (n,) [s]
+    stance_time: Numbers  # (n,) [s]
+    step_time: Numbers  # (n,) until the next footfall [s]
+    roll: Pairs  # (n, 2) where on the sole the support begins and ends: 0 heel, 1 toe, 0.5 the middle
+    nominal_length: Numbers  # (n,) comfortable virtual leg over it [m]: less is crouched
+    facing: Numbers  # (n,) how far the body turns away from the feet over it [rad]
+    lift: Numbers  # (n,) height of the swing that arrives here above the line between its ends [m]
+    hold: Numbers  # (n,) share of that swing, at either end, in which the foot goes only up or down
+
+
+class Foot(NamedTuple):
+    """Where and when a foot was set down: what planning the next footprint asks of the last two."""
+
+    side: int
+    x: float
+    y: float
+    heading: float
+    contact_time: float
+    stance_time: float
+
+
+class Feet(NamedTuple):
+    """The last two footprints, the older first."""
+
+    older: Foot
+    newer: Foot
+
+
+@jit_borrowing
+def step_onto(side: int, x: float, y: float, heading: float) -> Step:
+    """A step with nothing asked for but where it lands (the compiler knows no defaults)."""
+    return Step(side, x, y, heading, nan, nan, 0.0, 1.0, 0.0)
+
+
+@jit_borrowing
+def stand_for(foot: Foot, seconds: float) -> Step:
+    """A foot that stands on where it is, for so long [s]."""
+    return Step(foot.side, foot.x, foot.y, foot.heading, nan, nan, seconds, 1.0, 0.0)
+
+
+@jit_borrowing
+def step_in(record: Any) -> Step:
+    """The Step in an array's record of STEP."""
+    return Step(
+        record.side, record.x, record.y, record.heading, record.time, record.stance_time, record.stands, record.crouch,
+        record.facing,
+    )  # fmt: skip
+
+
+@jit_borrowing
+def _foot(footprints: Footprints, n: int) -> Foot:
+    return Foot(
+        footprints.side[n], footprints.position[n, 0], footprints.position[n, 1], footprints.heading[n],
+        footprints.contact_time[n], footprints.stance_time[n],
+    )  # fmt: skip
+
+
+@jit_borrowing
+def feet_before(footprints: Footprints, n: int) -> Feet:
+    """The two footprints before row n."""
+    return Feet(_foot(footprints, n - 2), _foot(footprints, n - 1))
+
+
+@jit_borrowing
+def first(footprints: Footprints, n: int) -> Footprints:
+    """The first n footprints."""
+    return part(footprints, 0, n)
+
+
+@jit_borrowing
+def place(footprints: Footprints, n: int, step: Step, ground: tuple[float, float, float, float], rock: int) -> None:
+    """Puts the footprint of a step at row n, on the ground there, its height [m] and normal; neither timed nor rolling yet."""
+    footprints.side[n] = step.side
+    footprints.position[n, 0], footprints.position[n, 1], footprints.position[n, 2] = step.x, step.y, ground[0]
+    footprints.normal[n, 0], footprints.normal[n, 1], footprints.normal[n, 2] = ground[1], ground[2], ground[3]
+    footprints.heading[n], footprints.rock[n], footprints.stands[n] = step.heading, rock, False
+
+
+@jit_borrowing
+def stand_on(footprints: Footprints, n: int) -> None:
+    """The foot of row n - 2 stands on as row n: the same place, neither timed nor rolling yet."""
+    copy_row(footprints, n - 2, n)
+    footprints.stands[n] = True
+
+
+@jit_borrowing
+def forget_oldest(footprints: Footprints, count: int) -> None:
+    """The first of `count` footprints is forgotten, the others move up."""
+    for n in range(count - 1):
+        copy_row(footprints, n + 1, n)
+
+
+@jit_borrowing
+def step_length(footprints: Footprints, n: int) -> float:
+    """Horizontal length of the step to footprint n [m]."""
+    p, q = footprints.position[n - 1], footprints.position[n]
+    return ((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2) ** 0.5
+
+
+@jit_borrowing
+def rise(footprints: Footprints, n: int) -> float:
+    """How much higher footprint n lies than the one before [m]."""
+    return footprints.position[n, 2] - footprints.position[n - 1, 2]

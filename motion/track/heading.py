@@ -11,6 +11,9 @@ so the heading at t needs no footprint beyond the next, and never changes when l
 
 import numpy as np
 
+from motion.arithmetic.gravity import pendulum_time
+from motion.characters.dimensions import Dimensions
+from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit, jit_borrowing
 
 WINDOW_STEPS = 1.0
@@ -18,75 +21,74 @@ WINDOW_STEPS = 1.0
 
 
 @jit_borrowing
-def window_length(b):
+def window_length(biped: Dimensions) -> float:
     """Seconds of the moving average, from the pendulum time of the character's leg."""
-    return WINDOW_STEPS * 1.6 * (b.nominal_length / 9.81) ** 0.5
+    return WINDOW_STEPS * 1.6 * pendulum_time(biped.leg.nominal_length)
 
 
 @jit_borrowing
-def _value(track, i):
-    n = len(track.side)
-    j = min(i + 1, n - 1)
-    return 0.5 * (track.heading[i] + track.facing[i] + track.heading[j] + track.facing[j])
+def _value(footprints: Footprints, i: int) -> float:
+    j = min(i + 1, len(footprints.side) - 1)
+    return 0.5 * (footprints.heading[i] + footprints.facing[i] + footprints.heading[j] + footprints.facing[j])
 
 
 @jit_borrowing
-def body_heading(b, track, t):
-    """Heading of the body [rad] at time t, unwrapped."""
-    return mean_heading(track, t, window_length(b))
+def body_heading(biped: Dimensions, footprints: Footprints, t: float) -> float:
+    """Heading of the body [rad] at time t [s], unwrapped."""
+    return mean_heading(footprints, t, window_length(biped))
 
 
 @jit_borrowing
-def mean_heading(track, t, window):
+def mean_heading(footprints: Footprints, t: float, window: float) -> float:
     """Mean of the broken line over the last `window` [s] before t [rad].
 
     Sums the pieces of the line that lie in the window, the latest first: only footprints near t enter, so that forgetting
     old ones changes no bit.
     """
     begin, upper, total = t - window, t, 0.0
-    last = max(np.searchsorted(track.contact_time, t, side="right") - 1, 0)
+    last = max(int(np.searchsorted(footprints.contact_time, t, side="right")) - 1, 0)
     for i in range(last, -1, -1):
-        lower = max(track.contact_time[i], begin)
+        lower = max(footprints.contact_time[i], begin)
         if lower < upper:
-            total += (upper - lower) * _line(track, i, 0.5 * (upper + lower))
+            total += (upper - lower) * _line(footprints, i, 0.5 * (upper + lower))
             upper = lower
         if upper <= begin:
             break
     if upper > begin:
-        total += (upper - begin) * _value(track, 0)
+        total += (upper - begin) * _value(footprints, 0)
     return total / window
 
 
 @jit_borrowing
-def _line(track, i, t):
+def _line(footprints: Footprints, i: int, t: float) -> float:
     """The broken line at t >= contact i, before contact i + 1."""
-    if i + 1 >= len(track.side):
-        return _value(track, i)
-    span = track.contact_time[i + 1] - track.contact_time[i]
-    s = (t - track.contact_time[i]) / span if span > 0 else 0.0
-    return _value(track, i) + s * (_value(track, i + 1) - _value(track, i))
+    if i + 1 >= len(footprints.side):
+        return _value(footprints, i)
+    span = footprints.contact_time[i + 1] - footprints.contact_time[i]
+    s = (t - footprints.contact_time[i]) / span if span > 0 else 0.0
+    return _value(footprints, i) + s * (_value(footprints, i + 1) - _value(footprints, i))
 
 
 @jit
-def body_headings(b, track, times, out):
+def body_headings(biped: Dimensions, footprints: Footprints, times: np.ndarray, out: np.ndarray) -> None:
     """body_heading at many ascending times (k,) into out (k,), in time linear in both.
 
     The line's integral up to a time, from its integral up to the contact before, is a parabola.
     """
-    n, window = len(track.side), window_length(b)
+    n, window, contact = len(footprints.side), window_length(biped), footprints.contact_time
     value, slope, upto = np.empty(n), np.zeros(n), np.zeros(n)
     for i in range(n):
-        value[i] = _value(track, i)
+        value[i] = _value(footprints, i)
         if i > 0:
-            span = track.contact_time[i] - track.contact_time[i - 1]
+            span = contact[i] - contact[i - 1]
             slope[i - 1] = (value[i] - value[i - 1]) / span if span > 0 else 0.0
             upto[i] = upto[i - 1] + 0.5 * span * (value[i] + value[i - 1])
     lead, tail = 0, 0
     for k in range(len(times)):
-        while lead + 1 < n and track.contact_time[lead + 1] <= times[k]:
+        while lead + 1 < n and contact[lead + 1] <= times[k]:
             lead += 1
-        while tail + 1 < n and track.contact_time[tail + 1] <= times[k] - window:
+        while tail + 1 < n and contact[tail + 1] <= times[k] - window:
             tail += 1
-        x, y = times[k] - track.contact_time[lead], times[k] - window - track.contact_time[tail]
+        x, y = times[k] - contact[lead], times[k] - window - contact[tail]
         rise, fall = (0.5 * slope[lead] if x > 0 else 0.0), (0.5 * slope[tail] if y > 0 else 0.0)  # level before the first
         out[k] = (upto[lead] + x * (value[lead] + rise * x) - upto[tail] - y * (value[tail] + fall * y)) / window

@@ -6,33 +6,33 @@ and the right foot, the index of the footprint it stands on, or -1 while it swin
 
 import numpy as np
 
+from motion.track.footprints import LEFT, RIGHT, Footprints
 from worlds.compiled.jit import jit, jit_borrowing
 
 LEFT_STANCE, RIGHT_STANCE, DOUBLE_STANCE, FLIGHT = 0, 1, 2, 3
-COLOURS = {LEFT_STANCE: (0.92, 0.18, 0.85), RIGHT_STANCE: (0.90, 0.12, 0.12)}
-COLOURS |= {DOUBLE_STANCE: (0.10, 0.14, 0.55), FLIGHT: (0.55, 0.80, 0.98)}
-"""Red, green and blue in which the paper's figures draw each phase."""
+NAMES = ("left stance", "right stance", "double stance", "flight")
+"""Phases in words, by their numbers."""
 SHORTEST_PHASE = 1e-3
 """Phases shorter than this [s] are dropped: a sliver changes nothing one can see but makes the spline stiff."""
 
 
 @jit_borrowing
-def phase_of(left, right):
-    """Phase code of a support row (footprint indices, -1 while swinging)."""
+def phase_of(left: int, right: int) -> int:
+    """Phase of a support row (footprint indices, -1 while swinging)."""
     if left >= 0:
         return DOUBLE_STANCE if right >= 0 else LEFT_STANCE
     return RIGHT_STANCE if right >= 0 else FLIGHT
 
 
 @jit_borrowing
-def support_at(side, contact_time, stance_time, first, t):
-    """Footprints (left, right) carrying the body at time t, -1 for a foot in the air; scans from index `first`."""
+def support_at(footprints: Footprints, begin: int, t: float) -> tuple[int, int]:
+    """Footprints (left, right) carrying the body at time t [s], -1 for a foot in the air; scans from footprint `begin`."""
     left, right = -1, -1
-    for i in range(first, len(side)):
-        if contact_time[i] > t:
+    for i in range(begin, len(footprints.side)):
+        if footprints.contact_time[i] > t:
             break
-        if t < contact_time[i] + stance_time[i]:
-            if side[i] == 0:
+        if t < footprints.contact_time[i] + footprints.stance_time[i]:
+            if footprints.side[i] == LEFT:
                 left = i
             else:
                 right = i
@@ -40,31 +40,30 @@ def support_at(side, contact_time, stance_time, first, t):
 
 
 @jit_borrowing
-def _next_event(side, contact_time, stance_time, count, which, cursor, landed):
-    """Time of the next landing or leaving of foot `which`, whose current footprint is `cursor`."""
+def _next_event(footprints: Footprints, which: int, cursor: int, landed: bool) -> tuple[float, int]:
+    """Time of the next landing or leaving of foot `which`, whose current footprint is `cursor`, and its footprint then."""
     if landed:
-        return contact_time[cursor] + stance_time[cursor], cursor
-    following = cursor + 1
-    while following < count and side[following] != which:
+        return footprints.contact_time[cursor] + footprints.stance_time[cursor], cursor
+    count, following = len(footprints.side), cursor + 1
+    while following < count and footprints.side[following] != which:
         following += 1
-    return (contact_time[following] if following < count else np.inf), following
+    return (footprints.contact_time[following] if following < count else np.inf), following
 
 
 @jit
-def build_phases(side, contact_time, stance_time, begin, end, time, support):
-    """Phases between `begin` and `end` [s], by merging the two feet's landings and leavings: linear in the footprints.
+def build_phases(footprints: Footprints, begin: float, end: float, time: np.ndarray, support: np.ndarray) -> int:
+    """Phases between `begin` and `end` [s], by merging the two feet's landings and leavings: linear in the n footprints.
 
-    side, contact_time, stance_time (n,); fills time (>= 2n + 2,) and support (>= 2n + 1, 2); returns the phase count.
+    Fills time (>= 2n + 2,) and support (>= 2n + 1, 2); returns the number of phases.
     """
-    count = len(side)
     cursor = np.full(2, -1)
     landed = np.zeros(2, np.bool_)
     m = 0
     time[0] = begin
     while True:
-        t0, next0 = _next_event(side, contact_time, stance_time, count, 0, cursor[0], landed[0])
-        t1, next1 = _next_event(side, contact_time, stance_time, count, 1, cursor[1], landed[1])
-        which = 0 if t0 <= t1 else 1
+        t0, next0 = _next_event(footprints, LEFT, cursor[0], landed[0])
+        t1, next1 = _next_event(footprints, RIGHT, cursor[1], landed[1])
+        which = LEFT if t0 <= t1 else RIGHT
         t = min(t0, t1, end)
         if t - time[m] > SHORTEST_PHASE:
             support[m, 0] = cursor[0] if landed[0] else -1
@@ -74,15 +73,15 @@ def build_phases(side, contact_time, stance_time, begin, end, time, support):
         if t >= end:
             time[m] = end
             return m
-        cursor[which] = next0 if which == 0 else next1
+        cursor[which] = next0 if which == LEFT else next1
         landed[which] = not landed[which]
 
 
 @jit_borrowing
-def merge_by_step(time, support, m):
-    """The paper's layout in place: one segment per step, a flight by itself. Returns the segment count."""
+def merge_by_step(time: np.ndarray, support: np.ndarray, count: int) -> int:
+    """The paper's layout in place: one segment per step, a flight by itself. Returns the number of segments."""
     kept = 0
-    for i in range(m):
+    for i in range(count):
         left, right = support[i, 0], support[i, 1]
         new = i == 0 or phase_of(left, right) == FLIGHT or phase_of(support[i - 1, 0], support[i - 1, 1]) == FLIGHT
         if not new:
@@ -92,5 +91,5 @@ def merge_by_step(time, support, m):
             time[kept] = time[i]
             support[kept, 0], support[kept, 1] = left, right
             kept += 1
-    time[kept] = time[m]
+    time[kept] = time[count]
     return kept

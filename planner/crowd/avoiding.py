@@ -8,31 +8,36 @@ with ttc the predicted time to collision with anyone, who goes on as its tentati
 reciprocal velocity obstacles; van den Berg, Lin & Manocha 2008). The cheapest candidate that is clear of trees and of what
 others hold is taken. Standing is always clear.
 
-Where the wish runs into someone, one looks for a way around (planner.crowd.way_around), and those who get on badly have the
-right of way (planner.crowd.right_of_way): the others expect them to come. They also grow impatient: they come nearer to others,
-staying in place costs more, chance has a say, and short steps are quick ones.
+Where the wish runs into someone, one looks for a course around (course_around), and those who get on badly have the right of
+way (right_of_way): the others expect them to come. They also grow impatient: they come nearer to others, staying in place costs
+more, chance has a say, and short steps are quick ones.
 """
 
-from math import atan2, cos, hypot, inf, pi, sin
+from math import atan2, cos, hypot, inf, sin
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from planner import plan
-from planner.crowd import reservations
-from planner.crowd.candidates import CANDIDATES, CLOSING, SMALL, candidate, pace, step_to, walker
-from planner.crowd.foresight import OTHER, danger, foresee
+from motion.arithmetic.angles import wrapped
+from motion.characters.dimensions import Dimensions
+from motion.track.footprints import step_onto
+from planner.crowd.candidates import CANDIDATES, CLOSING, SMALL, Candidate, Walker, candidate, candidate_to, pace, walker_of
+from planner.crowd.course_around import LEFTWARD, course_around, keep_right
+from planner.crowd.foresight import danger, foresee
+from planner.crowd.neighbour import NEIGHBOUR
 from planner.crowd.right_of_way import hindered_after, inherited, of_higher_rank, queueing_speed, rank_of
-from planner.crowd.way_around import LEFT, keep_right, way_around
-from planner.plan import PATIENT
+from planner.round import reservations
+from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing
 from planner.stepping import random
-from planner.wander import free_way
+from planner.stepping.beside import middle_beside, middle_of
+from planner.stepping.steering import free_way
 from worlds import queries
 from worlds.compiled.jit import jit, jit_borrowing
 
 TURN, ON_THE_SPOT = 0.5, 0.3
 """Cost of a radian off the facing: the wanted heading, or the wished one in steps shorter than this share of the preferred."""
 STRAIGHT = 0.05
-"""So much [rad] off the wished way is still the wished way."""
+"""So much [rad] off the wished course is still the wished course."""
 ASIDE = 0.1
 """Cost of going left, for every step that did not get on."""
 STAND = 0.15
@@ -47,130 +52,140 @@ YIELD_TIME = 0.2
 """Who stands because others are in the way plans again after this time [s]."""
 
 
+class Scratch(NamedTuple):
+    """Room to work in."""
+
+    others: Any  # (K,) records of NEIGHBOUR: those near
+    higher: Any  # (K,) those of them who claim with a higher rank
+    cost: np.ndarray  # (CANDIDATES + 1,)
+
+
 @jit_borrowing
-def is_free(w, r, me, near, step):
+def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> bool:
     """Whether a step keeps off trees and off all that the others hold; where bodies are too close already, it may part them."""
-    length = hypot(step.x - me.x, step.y - me.y)
+    held, world, length = round.reservations, round.world, hypot(step.x - walker.x, step.y - walker.y)
     if length > 0:
-        way = atan2(step.y - me.y, step.x - me.x)
-        if queries.clearance(w, step.x, step.y) < me.margin or free_way(w, me.x, me.y, way, me.margin - 0.01, length) < length:
+        course = atan2(step.y - walker.y, step.x - walker.x)
+        if queries.clearance(world, step.x, step.y) < walker.margin:
             return False
-    rest_x, rest_y = 0.5 * (me.foot_x + step.foot_x), 0.5 * (me.foot_y + step.foot_y)
+        if free_way(world, walker.x, walker.y, course, walker.margin - 0.01, length) < length:
+            return False
+    rest_x, rest_y = 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y)
+    begin, end, radius = walker.there, walker.there + step.time, held.foot_radius[walker.c] + FOOT_MARGIN
     for j in near:
-        if not reservations.foot_is_free(
-            r, j, step.foot_x, step.foot_y, r.foot_radius[me.c] + FOOT_MARGIN, me.time + step.time
-        ):
+        if not reservations.foot_is_free(held, j, step.foot_x, step.foot_y, radius, walker.time + step.time):
             return False
-        apart = r.room[me.c] + r.room[j]
-        least = reservations.least_distance(r, j, me.rest_x, me.rest_y, me.there, rest_x, rest_y, me.there + step.time)
+        apart = held.room[walker.c] + held.room[j]
+        least = reservations.least_distance(held, j, walker.rest_x, walker.rest_y, begin, rest_x, rest_y, end)
         if least < apart:
-            now = reservations.least_distance(r, j, me.rest_x, me.rest_y, me.there, me.rest_x, me.rest_y, me.there + step.time)
+            now = reservations.least_distance(held, j, walker.rest_x, walker.rest_y, begin, walker.rest_x, walker.rest_y, end)
             if least < now or now >= apart:
                 return False
     return True
 
 
 @jit_borrowing
-def _turned_to(b, me, way):
-    """The heading of one who turns to a way [rad], as far as a step allows."""
-    turn = (way - me.heading + pi) % (2 * pi) - pi
-    return me.heading + min(max(turn, -b.max_turn), b.max_turn)
+def _turned_to(biped: Dimensions, walker: Walker, course: float) -> float:
+    """The heading of one who turns to a course [rad], as far as a step allows."""
+    most = biped.reach.max_turn
+    return walker.heading + min(max(wrapped(course - walker.heading), -most), most)
 
 
 @jit_borrowing
-def _costs(b, w, r, me, wish, others, seed, step_number, cost):
+def _costs(round: Round, walker: Walker, wished: Candidate, others: Any, cost: np.ndarray) -> None:
     """Fills cost (CANDIDATES + 1,): of the wish, of the candidates, and last of standing, as if only `others` were there."""
-    wanted = way_around(b, w, r, me, others)
-    wx, wy = me.full * cos(wanted), me.full * sin(wanted)
-    ahead, onward = _turned_to(b, me, wanted), _turned_to(b, me, me.way)
-    impatience = min(me.hindered, PATIENT)
+    biped, full = round.bipeds[round.kind[walker.c]], walker.full
+    stride, wanted = biped.gait.preferred_step, course_around(round, walker, others)
+    wx, wy = full * cos(wanted), full * sin(wanted)
+    ahead, onward = _turned_to(biped, walker, wanted), _turned_to(biped, walker, walker.course)
+    impatience = min(walker.hindered, PATIENT)
     for k in range(CANDIDATES + 1):
-        step = candidate(b, me, wish, k)
-        vx, vy = (step.x - me.x) / step.time, (step.y - me.y) / step.time
+        step = candidate(biped, walker, wished, k)
+        vx, vy = (step.x - walker.x) / step.time, (step.y - walker.y) / step.time
         if k == CANDIDATES:
             vx, vy = 0.0, 0.0
+        gone = hypot(vx, vy) * step.time
         cost[k] = (
-            hypot(vx - wx, vy - wy) / me.full
-            + TURN * abs(step.heading - (ahead if hypot(vx, vy) * step.time >= ON_THE_SPOT * b.preferred_step else onward))
-            + LEFT * max(step.heading - max(me.heading, wish.heading), 0.0)
+            hypot(vx - wx, vy - wy) / full
+            + TURN * abs(step.heading - (ahead if gone >= ON_THE_SPOT * stride else onward))
+            + LEFTWARD * max(step.heading - max(walker.heading, wished.heading), 0.0)
         )
         cost[k] += danger(others, vx, vy)
-        cost[k] += IMPATIENCE * impatience * max(1 - hypot(vx, vy) * step.time / (SMALL * b.preferred_step), 0.0)
-        cost[k] += ASIDE * impatience * (vy * cos(wanted) - vx * sin(wanted)) / me.full
-        cost[k] += CHANCE * impatience * random.uniform(seed, me.c, step_number, random.JAM + k)
+        cost[k] += IMPATIENCE * impatience * max(1 - gone / (SMALL * stride), 0.0)
+        cost[k] += ASIDE * impatience * (vy * cos(wanted) - vx * sin(wanted)) / full
+        cost[k] += CHANCE * impatience * random.uniform(round.seed, walker.c, walker.number, random.JAM + k)
     cost[CANDIDATES] += STAND
-    if hypot(me.x - me.rest_x, me.y - me.rest_y) < 0.1 * b.preferred_step:
+    if hypot(walker.x - walker.rest_x, walker.y - walker.rest_y) < 0.1 * stride:
         cost[CLOSING] += STAND
 
 
 @jit_borrowing
-def _claim(b, w, r, me, wish, rank, others, scratch, seed, step_number, claim):
-    """Sets claim (3,): the velocity on the wished way, or out of the way of a higher claim; and with which rank."""
-    higher, cost = scratch
-    speed = queueing_speed(me, others)
-    claim[0], claim[1], claim[2] = speed * cos(me.way), speed * sin(me.way), inherited(others, rank)
-    if claim[2] > rank:
-        count = of_higher_rank(others, higher)
-        _costs(b, w, r, me, wish, higher[:count], seed, step_number, cost)
-        k = np.argmin(cost)
+def _claim(round: Round, walker: Walker, wished: Candidate, rank: float, scratch: Scratch) -> None:
+    """Sets my claim: the velocity on the wished course, or out of the way of a higher claim; and with which rank."""
+    claim, others, speed = round.intents.claim, scratch.others, queueing_speed(walker, scratch.others)
+    c, mine = walker.c, inherited(others, rank)
+    claim[c, 0], claim[c, 1], claim[c, 2] = speed * cos(walker.course), speed * sin(walker.course), mine
+    if mine > rank:
+        count = of_higher_rank(others, scratch.higher)
+        _costs(round, walker, wished, scratch.higher[:count], scratch.cost)
+        k = np.argmin(scratch.cost)
         if k < CANDIDATES:
-            step = candidate(b, me, wish, k)
-            claim[0], claim[1] = (step.x - me.x) / step.time, (step.y - me.y) / step.time
+            step = candidate(round.bipeds[round.kind[c]], walker, wished, int(k))
+            claim[c, 0], claim[c, 1] = (step.x - walker.x) / step.time, (step.y - walker.y) / step.time
 
 
 @jit_borrowing
-def choose(b, w, r, me, wish, straight, near, scratch, seed, step_number, claim):
+def choose(round: Round, walker: Walker, wished: Candidate, straight: bool, near: np.ndarray, scratch: Scratch) -> int:
     """The best candidate that is free; 0 is the wish, CANDIDATES is standing.
 
-    The wish is for those whose way is `straight`. Whoever goes somewhere and cannot have its wish sets its claim.
+    The wish is for those whose course is `straight`. Whoever goes somewhere and cannot have its wish sets its claim.
     """
-    others, higher, cost = scratch
-    rank = rank_of(r, me, near, me.way)
-    foresee(r, me, near, rank, others)
-    safe = danger(others, (wish.x - me.x) / wish.time, (wish.y - me.y) / wish.time) == 0
-    if straight and safe and is_free(w, r, me, near, wish):
+    others, cost, biped = scratch.others, scratch.cost, round.bipeds[round.kind[walker.c]]
+    rank = rank_of(round.reservations, walker, near)
+    foresee(round.reservations, walker, near, rank, others)
+    safe = danger(others, (wished.x - walker.x) / wished.time, (wished.y - walker.y) / wished.time) == 0
+    if straight and safe and is_free(round, walker, near, wished):
         return 0
-    if me.goes:
-        _claim(b, w, r, me, wish, rank, others, (higher, cost), seed, step_number, claim)
-    _costs(b, w, r, me, wish, others, seed, step_number, cost)
+    if walker.goes:
+        _claim(round, walker, wished, rank, scratch)
+    _costs(round, walker, wished, others, cost)
     while True:
-        k = np.argmin(cost)
-        if k == CANDIDATES or is_free(w, r, me, near, candidate(b, me, wish, k)):
+        k = int(np.argmin(cost))
+        if k == CANDIDATES or is_free(round, walker, near, candidate(biped, walker, wished, k)):
             return k
         cost[k] = inf
 
 
 @jit
-def make_way(
-    b, w, r, c, wished, side, position, heading, normal, rock, contact_time, overlap, hindered, seed, step_number, goes,
-    claim,
-):  # fmt: skip
-    """(footprint, hindered): what to place (a planner.plan.Placed) after the last two in rows 0 and 1, instead of the wished.
-
-    `hindered` counts the steps that did not get on. Sets claim (3,) of one who goes somewhere: see planner.crowd.right_of_way.
-    """
-    claim[:] = 0.0
-    if wished.stands:
-        return wished, 0
+def give_way(round: Round, me: Me, wish: Wish) -> Wish:
+    """The wish, or what is free of others instead of it. Sets my intents: aim, claim, and how many steps others hindered."""
+    intents, c, step = round.intents, me.c, wish.step
+    moves = 0.0 if step.stands > 0 else 1.0
+    intents.aim[c, 0], intents.aim[c, 1] = moves * cos(wish.course), moves * sin(wish.course)
+    intents.claim[c] = 0.0
+    hindered, intents.hindered[c] = me.hindered, 0
+    if step.stands > 0:
+        return wish
     near = np.empty(CROWDED, np.int64)
-    count = reservations.neighbours(r, c, r.reach, near)
+    count = reservations.neighbours(round.reservations, c, round.reservations.reach, near)
     if count == 0:
-        return wished, 0
-    way = wished.way
-    if goes and count > 0:
-        x, y = plan.middle_of(b, side[1], position[1, 0], position[1, 1], heading[1])
-        way = keep_right(b, w, r, c, near[:count], x, y, way)
-    me = walker(b, w, c, side, position, heading, contact_time, overlap, hindered, way, goes)
-    x, y = plan.middle_of(b, wished.side, wished.x, wished.y, wished.heading)
-    wish, k = step_to(b, me, x, y, wished.heading), CANDIDATES
+        return wish
+    biped, course = biped_of(round, me), wish.course
+    if wish.goes and count > 0:
+        course = keep_right(round, c, near[:count], middle_beside(biped, me.feet.newer), course)
+    walker = walker_of(round, me, course, wish.goes)
+    x, y = middle_of(biped, step.side, (step.x, step.y), step.heading)
+    wished, k = candidate_to(biped, walker, x, y, step.heading), CANDIDATES
     if count > 0:
-        scratch = np.empty((count, OTHER)), np.empty((count, OTHER)), np.empty(CANDIDATES + 1)
-        straight = abs(way - wished.way) < STRAIGHT
-        k = choose(b, w, r, me, wish, straight, near[:count], scratch, seed, step_number, claim)
-    if k == 0:
-        return plan.hurried(wished, pace(hindered)), hindered_after(b, me, wish, wish) if goes else max(hindered - 1, 0)
+        scratch = Scratch(np.empty(count, NEIGHBOUR), np.empty(count, NEIGHBOUR), np.empty(CANDIDATES + 1))
+        k = choose(round, walker, wished, abs(course - wish.course) < STRAIGHT, near[:count], scratch)
     if k == CANDIDATES:
-        return plan.stay(side[0], position[0], heading[0], normal[0], rock[0], YIELD_TIME), hindered + 1
-    step = candidate(b, me, wish, k)
-    placed = plan.put(b, w, me.side, step.foot_x, step.foot_y, step.heading, way, pace(hindered))
-    return placed, hindered_after(b, me, wish, step)
+        intents.hindered[c] = hindered + 1
+        return standing(me, YIELD_TIME)
+    if k == 0:
+        intents.hindered[c] = hindered_after(biped, walker, wished, wished) if wish.goes else max(hindered - 1, 0)
+        return Wish(step, wish.course, pace(hindered), True, wish.goes)
+    taken = candidate(biped, walker, wished, k)
+    intents.hindered[c] = hindered_after(biped, walker, wished, taken)
+    onto = step_onto(walker.side, taken.foot_x, taken.foot_y, taken.heading)
+    return Wish(onto, course, pace(hindered), True, wish.goes)

@@ -3,10 +3,12 @@
 from math import cos, hypot, sin
 from typing import NamedTuple
 
-from planner import plan
-from planner.crowd import reservations
+from motion.characters.dimensions import Dimensions
+from planner.round.reservations import lag
+from planner.round.round import UNHURRIED, Me, Round, biped_of
 from planner.stepping import timing
-from planner.wander import MARGIN
+from planner.stepping.beside import beside, middle_beside
+from planner.stepping.steering import MARGIN
 from worlds import queries
 from worlds.compiled.jit import jit_borrowing
 
@@ -26,9 +28,10 @@ CLOSING = KINDS * (LENGTHS - 1) + TURNS + 1
 
 
 class Walker(NamedTuple):
-    """Who plans: its last footprint, and when and where its body will be as that one lands."""
+    """Who plans among others: its last footprint, and when and where its body will be as that one lands."""
 
     c: int
+    number: int  # of the step
     side: int  # of the foot to be placed
     foot_x: float  # the last footprint
     foot_y: float
@@ -43,11 +46,11 @@ class Walker(NamedTuple):
     margin: float  # kept from trees [m]
     full: float  # speed when nothing hinders [m/s]
     hindered: int  # steps that did not get on
-    way: float  # where it wishes to go [rad]
+    course: float  # where it wishes to go [rad]
     goes: bool  # somewhere: it claims a right of way
 
 
-class Step(NamedTuple):
+class Candidate(NamedTuple):
     """A step that may be taken."""
 
     x: float  # middle
@@ -59,49 +62,54 @@ class Step(NamedTuple):
 
 
 @jit_borrowing
-def walker(b, w, c, side, position, heading, contact_time, overlap, hindered, way, goes):
-    x, y = plan.middle_of(b, side[1], position[1, 0], position[1, 1], heading[1])
-    rest_x, rest_y = 0.5 * (position[0, 0] + position[1, 0]), 0.5 * (position[0, 1] + position[1, 1])
-    margin = min(b.body_radius + MARGIN, queries.clearance(w, x, y))
-    full = b.preferred_step / timing.step_timing(b, b.preferred_step, 0.0, 0.0, False)[0]
+def walker_of(round: Round, me: Me, course: float, goes: bool) -> Walker:
+    """Me among others, on a wished course [rad]."""
+    biped, older, newer = biped_of(round, me), me.feet.older, me.feet.newer
+    x, y = middle_beside(biped, newer)
+    rest_x, rest_y = 0.5 * (older.x + newer.x), 0.5 * (older.y + newer.y)
+    margin = min(biped.body.radius + MARGIN, queries.clearance(round.world, x, y))
+    stride = biped.gait.preferred_step
+    full = stride / timing.step_timing(biped, stride, 0.0, 0.0, False)[0]
+    contact, overlap = newer.contact_time, older.contact_time + older.stance_time - newer.contact_time
     return Walker(
-        c, 1 - side[1], position[1, 0], position[1, 1], x, y, heading[1], rest_x, rest_y, contact_time,
-        contact_time + reservations.lag(b), overlap, margin, full, hindered, way, goes,
+        me.c, me.number, 1 - newer.side, newer.x, newer.y, x, y, newer.heading, rest_x, rest_y, contact, contact + lag(biped),
+        overlap, margin, full, me.hindered, course, goes,
     )  # fmt: skip
 
 
 @jit_borrowing
-def pace(hindered):
+def pace(hindered: int) -> float:
     """Longest step time [pendulum times] of one whom others kept from getting on for so many steps."""
-    return timing.HURRIED if hindered > 0 else timing.LONGEST_STEP
+    return timing.HURRIED if hindered > 0 else UNHURRIED
 
 
 @jit_borrowing
-def step_to(b, me, x, y, heading):
+def candidate_to(biped: Dimensions, walker: Walker, x: float, y: float, heading: float) -> Candidate:
     """The step to a middle, timed as on level ground: rises only make it later."""
-    fx, fy = plan.beside(b, me.side, x, y, heading)
-    time, _ = timing.step_timing(
-        b, hypot(fx - me.foot_x, fy - me.foot_y), 0.0, abs(heading - me.heading), False, pace(me.hindered)
-    )
-    return Step(x, y, heading, fx, fy, max(time, timing.least_step_time(b, me.overlap)))
+    fx, fy = beside(biped, walker.side, (x, y), heading)
+    length, turn = hypot(fx - walker.foot_x, fy - walker.foot_y), abs(heading - walker.heading)
+    time, _ = timing.step_timing(biped, length, 0.0, turn, False, pace(walker.hindered))
+    return Candidate(x, y, heading, fx, fy, max(time, timing.least_step_time(biped, walker.overlap)))
 
 
 @jit_borrowing
-def candidate(b, me, wish, k):
+def candidate(biped: Dimensions, walker: Walker, wished: Candidate, k: int) -> Candidate:
     """Candidate k: lengths times turns, the wish's own turn first (0 is the wish), then steps to the side and back."""
-    turn = wish.heading - me.heading
-    length = hypot(wish.x - me.x, wish.y - me.y)
+    stride, most = biped.gait.preferred_step, biped.reach.max_turn
+    turn = wished.heading - walker.heading
+    length = hypot(wished.x - walker.x, wished.y - walker.y)
     if k < KINDS * LENGTHS:
         if k % KINDS:
-            turn = (k % KINDS - 1 - TURNS) * b.max_turn / TURNS
-            length = b.preferred_step * max(1 - 0.5 * abs(turn) / b.max_turn, 0.3)
+            turn = (k % KINDS - 1 - TURNS) * most / TURNS
+            length = stride * max(1 - 0.5 * abs(turn) / most, 0.3)
         length *= (1.0, 0.55, 0.25, 0.0)[k // KINDS]
-        heading = me.heading + turn
-        return step_to(b, me, me.x + length * cos(heading), me.y + length * sin(heading), heading)
+        heading = walker.heading + turn
+        return candidate_to(biped, walker, walker.x + length * cos(heading), walker.y + length * sin(heading), heading)
     ahead, across = ASIDE_AND_BACK[k - KINDS * LENGTHS]
-    ahead, across = ahead * SMALL * b.preferred_step, across * SMALL * b.preferred_step * (1 - 2 * me.side)
-    c, s = cos(me.heading), sin(me.heading)
+    ahead, across = ahead * SMALL * stride, across * SMALL * stride * (1 - 2 * walker.side)
+    c, s = cos(walker.heading), sin(walker.heading)
     if ahead < 0:
-        behind = min(2 * ((me.rest_x - me.foot_x) * c + (me.rest_y - me.foot_y) * s), 0.0)
-        ahead = max(ahead + behind, -APART * b.preferred_step)
-    return step_to(b, me, me.x + ahead * c - across * s, me.y + ahead * s + across * c, me.heading)
+        behind = min(2 * ((walker.rest_x - walker.foot_x) * c + (walker.rest_y - walker.foot_y) * s), 0.0)
+        ahead = max(ahead + behind, -APART * stride)
+    x, y = walker.x + ahead * c - across * s, walker.y + ahead * s + across * c
+    return candidate_to(biped, walker, x, y, walker.heading)

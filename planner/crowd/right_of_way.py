@@ -10,10 +10,14 @@ A rank grows for as long as one does not get on, and falls step by step when one
 """
 
 from math import cos, hypot, inf, sin
+from typing import Any
 
-from planner.crowd.candidates import SMALL
-from planner.crowd.foresight import AGAINST, OTHER, is_leader, time_to_collision
-from planner.crowd.reservations import COMMITTED
+import numpy as np
+
+from motion.characters.dimensions import Dimensions
+from planner.crowd.candidates import SMALL, Candidate, Walker
+from planner.crowd.foresight import AGAINST, is_leader, time_to_collision
+from planner.round.reservations import COMMITTED, Reservations
 from worlds.compiled.jit import jit_borrowing
 
 BELONGS = 8.0
@@ -27,68 +31,70 @@ SOON = 0.5
 
 
 @jit_borrowing
-def rank_of(r, me, near, wished):
-    """My own rank, as far as others have published: for a wished direction of travel [rad]."""
-    ux, uy, left, count, rest = cos(wished), sin(wished), 0.0, 0, COMMITTED - 1
+def rank_of(held: Reservations, walker: Walker, near: np.ndarray) -> float:
+    """My own rank on my course, as far as others have published."""
+    ux, uy, left, count, rest = cos(walker.course), sin(walker.course), 0.0, 0, COMMITTED - 1
     for j in near:
-        x, y = r.way[j, rest, 0] - me.rest_x, r.way[j, rest, 1] - me.rest_y
+        x, y = held.path[j, rest, 0] - walker.rest_x, held.path[j, rest, 1] - walker.rest_y
         far = hypot(x, y)
-        if r.aim[j, 0] * ux + r.aim[j, 1] * uy < AGAINST and far > 0:
+        if held.aim[j, 0] * ux + held.aim[j, 1] * uy < AGAINST and far > 0:
             left += (ux * y - uy * x) / far
             count += 1
-    return me.hindered + (BELONGS * left / count if count > 0 else 0.0)
+    return walker.hindered + (BELONGS * left / count if count > 0 else 0.0)
 
 
 @jit_borrowing
-def inherited(others, rank):
+def inherited(others: Any, rank: float) -> float:
     """The rank that counts: of the highest claim that one is in the way of, less one, or one's own."""
     most = rank
     for i in range(len(others)):
-        o = others[i]
-        if o[7] - 1 > most and time_to_collision(o[0], o[1], o[2], o[3], o[4]) < SOON:
-            most = o[7] - 1
+        other = others[i]
+        if other.rank - 1 > most and time_to_collision(other.x, other.y, other.vx, other.vy, other.room) < SOON:
+            most = other.rank - 1
     return most
 
 
 @jit_borrowing
-def of_higher_rank(others, higher):
+def of_higher_rank(others: Any, higher: Any) -> int:
     """Copies those who claim with a higher rank; returns how many."""
     count = 0
     for i in range(len(others)):
-        if others[i, 7] > -inf:
-            for k in range(OTHER):
-                higher[count, k] = others[i, k]
+        if others[i].rank > -inf:
+            higher[count] = others[i]
             count += 1
     return count
 
 
 @jit_borrowing
-def queueing_speed(me, others):
-    """How fast one could go its way behind those before it [m/s]."""
-    ux, uy, speed = cos(me.way), sin(me.way), me.full
-    for o in others:
-        if o[2] < inf and o[5] * ux + o[6] * uy > 0 and o[0] * ux + o[1] * uy > 0 and is_leader(o):
-            time = time_to_collision(o[0], o[1], o[2] - me.full * ux, o[3] - me.full * uy, o[4])
-            speed = min(speed, me.full * time / FOLLOW)
+def queueing_speed(walker: Walker, others: Any) -> float:
+    """How fast one could go on its course behind those before it [m/s]."""
+    full = walker.full
+    ux, uy, speed = cos(walker.course), sin(walker.course), full
+    for i in range(len(others)):
+        other = others[i]
+        same = other.vx < inf and other.aim_x * ux + other.aim_y * uy > 0
+        if same and other.x * ux + other.y * uy > 0 and is_leader(other):
+            time = time_to_collision(other.x, other.y, other.vx - full * ux, other.vy - full * uy, other.room)
+            speed = min(speed, full * time / FOLLOW)
     return speed
 
 
 @jit_borrowing
-def hindered_after(b, me, wish, step):
+def hindered_after(biped: Dimensions, walker: Walker, wished: Candidate, taken: Candidate) -> int:
     """Steps that did not get on, after this one: back and forth does not get on, nor does a turn on the spot.
 
     What counts is where the body comes to rest: a foot that is set down where it was gets nobody on.
     """
-    wished, along = _gain(me, wish, wish), _gain(me, wish, step)
-    if along > GETS_ON * max(wished, SMALL * b.preferred_step):
-        return max(me.hindered - 1, 0)
-    if step == wish:
-        return me.hindered
-    return me.hindered + (1 if along >= 0 else 2)
+    wanted, along = _gain(walker, wished, wished), _gain(walker, wished, taken)
+    if along > GETS_ON * max(wanted, SMALL * biped.gait.preferred_step):
+        return max(walker.hindered - 1, 0)
+    if taken == wished:
+        return walker.hindered
+    return walker.hindered + (1 if along >= 0 else 2)
 
 
 @jit_borrowing
-def _gain(me, wish, step):
+def _gain(walker: Walker, wished: Candidate, taken: Candidate) -> float:
     """How far a step brings the body on its wished heading [m]."""
-    dx, dy = 0.5 * (me.foot_x + step.foot_x) - me.rest_x, 0.5 * (me.foot_y + step.foot_y) - me.rest_y
-    return dx * cos(wish.heading) + dy * sin(wish.heading)
+    dx, dy = 0.5 * (walker.foot_x + taken.foot_x) - walker.rest_x, 0.5 * (walker.foot_y + taken.foot_y) - walker.rest_y
+    return dx * cos(wished.heading) + dy * sin(wished.heading)

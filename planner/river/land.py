@@ -6,15 +6,17 @@ from heapq import heappop, heappush
 import numpy as np
 
 from worlds import queries
+from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit
 from worlds.world import World
 
+Place = tuple[float, float]
 SPACING = 0.4
 """Edge of a cell [m]: smaller finds narrower ways and takes longer."""
 
 
 @jit
-def _dijkstra(free, row, column):
+def _dijkstra(free: np.ndarray, row: int, column: int) -> tuple[np.ndarray, np.ndarray]:
     """Shortest ways over free cells (rows, columns) from one cell: lengths in cells and each cell's parent (row, column)."""
     rows, columns = free.shape
     distance = np.full((rows, columns), np.inf)
@@ -36,14 +38,16 @@ def _dijkstra(free, row, column):
 
 
 @jit
-def _room(w, rows, columns, spacing):
+def _room(world: WorldArrays, rows: int, columns: int, spacing: float) -> np.ndarray:
+    """Room (rows, columns) [m] around the middle of each cell: to trees, water, the border and rocks."""
     room = np.empty((rows, columns))
     for i in range(rows):
         for j in range(columns):
             x, y = (j + 0.5) * spacing, (i + 0.5) * spacing
-            room[i, j] = queries.clearance(w, x, y)
-            for k in range(len(w.rocks)):
-                edge = ((x - w.rocks[k, 0]) ** 2 + (y - w.rocks[k, 1]) ** 2) ** 0.5 - w.rocks[k, 2]
+            room[i, j] = queries.clearance(world, x, y)
+            for k in range(len(world.rocks)):
+                rock = world.rocks[k]
+                edge = ((x - rock[0]) ** 2 + (y - rock[1]) ** 2) ** 0.5 - rock[2]
                 room[i, j] = min(room[i, j], edge)
     return room
 
@@ -103,7 +107,7 @@ class Ways:
         return _rounded(_pulled(self.land, points))
 
 
-def _clear(land: Land, a, b) -> bool:
+def _clear(land: Land, a: Place, b: Place) -> bool:
     count = max(int(np.hypot(b[0] - a[0], b[1] - a[1]) / (0.25 * SPACING)), 1)
     s = np.linspace(0, 1, count + 1)[1:-1]
     columns = ((a[0] + s * (b[0] - a[0])) / SPACING).astype(int).clip(0, land.free.shape[1] - 1)

@@ -4,8 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from motion.characters.biped import Biped
+from motion.characters.character import Character
 from worlds import queries
+from worlds.arrays import WorldArrays
 from worlds.world import World
 
 OFF_ROCKS = 0.1
@@ -24,14 +25,14 @@ class Spots:
     rock: np.ndarray  # (K,) -1 on a bank
 
     @classmethod
-    def of(cls, world: World, biped: Biped) -> "Spots":
+    def of(cls, world: World, character: Character) -> "Spots":
         """Spots of all rocks, and of the banks that are within a leap of a rock or of the other bank."""
-        sole = 0.5 * float(biped.record.foot_length)
+        sole = 0.5 * float(character.biped.foot.length)
         rocks = [spot for i, rock in enumerate(world.arrays.rocks) for spot in _on_rock(world, i, rock, sole)]
-        banks = _on_banks(world, sole, float(biped.record.max_leap))
+        banks = _on_banks(world, sole, float(character.biped.reach.max_leap))
         rows = np.array(rocks + banks, np.float64).reshape(-1, 4)
         spots = cls(rows[:, :3], rows[:, 3].astype(int))
-        return spots._within(float(biped.record.max_leap), world)
+        return spots._within(float(character.biped.reach.max_leap), world)
 
     def _within(self, reach: float, world: World) -> "Spots":
         """Without the bank spots from which no step over water leads anywhere."""
@@ -66,17 +67,17 @@ def _alone(rocks: np.ndarray, i: int, spot: tuple, sole: float) -> bool:
 
 
 def _on_banks(world: World, sole: float, reach: float) -> list[tuple]:
-    w, found = world.arrays, []
+    arrays, found = world.arrays, []
     near = sole + 0.06
     for x in np.arange(0.5 * BANK_SPACING, world.size[0], BANK_SPACING):
         for y in np.arange(0.5 * BANK_SPACING, world.size[1], BANK_SPACING):
-            off = queries.water_clearance(w, x, y)
-            if near <= off <= near + 1.5 * BANK_SPACING and _dry_and_free(w, x, y, sole):
-                found.append((x, y, queries.terrain_height(w, x, y), -1))
+            off = queries.water_clearance(arrays, x, y)
+            if near <= off <= near + 1.5 * BANK_SPACING and _dry_and_free(arrays, x, y, sole):
+                found.append((x, y, queries.terrain_height(arrays, x, y), -1))
     return found
 
 
-def _dry_and_free(w, x: float, y: float, sole: float) -> bool:
-    rocks = w.rocks
+def _dry_and_free(world: WorldArrays, x: float, y: float, sole: float) -> bool:
+    rocks = world.rocks
     clear = not len(rocks) or (np.hypot(rocks[:, 0] - x, rocks[:, 1] - y) > rocks[:, 2] + sole + OFF_ROCKS).all()
-    return clear and queries.tree_clearance(w, x, y) > 0.3 and queries.border_clearance(w, x, y) > 0.3
+    return bool(clear) and queries.tree_clearance(world, x, y) > 0.3 and queries.border_clearance(world, x, y) > 0.3

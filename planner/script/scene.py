@@ -1,49 +1,20 @@
-"""Scene files: a character, a world, and a scripted track: footprints one by one, or paths to lay them along."""
+"""Scene files: a character, a world, and a scripted track: footprints one by one, or a path to lay them along."""
 
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Annotated, Literal
+from pathlib import Path as FilePath
+from typing import Literal
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
+from motion.characters.character import Character
+from planner.script.footprint import Footprint, Pause
+from planner.script.path import Path, footprints_along
 from worlds import checks, ground, reading
 from worlds.errors import InputError
-from worlds.ground import Finite, Ground, Length, Part, Point
+from worlds.ground import Ground
 from worlds.world import World
 
-SCENES = Path(__file__).parent / "scenes"
-
-Seconds = Annotated[float, Field(gt=0, le=60, allow_inf_nan=False)]
-Pause = Annotated[float, Field(ge=0, le=60, allow_inf_nan=False)]
-Crouch = Annotated[float, Field(ge=0.5, le=1.05, allow_inf_nan=False)]
-
-
-class Print(Part):
-    """A footprint. What is not given is automatic."""
-
-    side: Literal["left", "right"]
-    position: Point
-    heading_deg: Finite = 0.0
-    step_time: Seconds | None = None  # until the next footfall
-    stance_time: Seconds | None = None
-    stand: Pause = 0.0  # both feet stay this long, once this one has landed
-    crouch: Crouch = 1.0  # share of the nominal leg length
-    facing_deg: Finite = 0.0  # the body turns away from the feet
-
-
-class Stretch(Part):
-    """A way along a Hermite curve through points, walked with feet to either side."""
-
-    points: Annotated[list[Point], Field(min_length=2)]
-    step_length: Length | Annotated[list[Length], Field(min_length=2)]  # a list changes evenly along the way
-    step_width: Annotated[float, Field(ge=0, le=5)] | None = None  # the character's own
-    first: Literal["left", "right"] = "left"
-    feet_deg: Finite = 0.0  # the feet point this far to the left of the way: 180 backward
-    facing_deg: Finite = 0.0
-    crouch: Crouch = 1.0
-    step_time: Seconds | None = None
-    stance_time: Seconds | None = None
-    stand: Pause = 0.0  # at its end
+SCENES = FilePath(__file__).parent / "scenes"
 
 
 class _Scene(Ground):
@@ -54,11 +25,11 @@ class _Scene(Ground):
     stand_after: Pause = 0.6
     support: Literal["roll", "middle", "toe"] = "roll"  # where a standing foot presses: heel to toe, or the paper's either-or
     segments: Literal["phase", "step"] = "phase"  # of the com's curve: one per phase of support, or the paper's per step
-    footprint: list[Print] = []
-    path: Stretch | None = None
+    footprint: list[Footprint] = []
+    path: Path | None = None
 
     @model_validator(mode="after")
-    def _one_track(self):
+    def _one_track(self) -> "_Scene":
         if bool(self.footprint) == bool(self.path):
             raise ValueError("give either [[footprint]] or [path]")
         if 0 < len(self.footprint) < 3:
@@ -73,16 +44,20 @@ class Scene:
     """A world and what is done in it. Times in seconds, angles in degrees as in the file."""
 
     name: str
-    about: str
-    figure: str
-    character: str
     world: World
-    stand_before: float
-    stand_after: float
-    footprints: tuple[Print, ...]
-    path: Stretch | None
+    footprints: tuple[Footprint, ...] = ()  # or a path
+    path: Path | None = None
+    character: str = "human"
+    stand_before: float = 0.4
+    stand_after: float = 0.6
     support: str = "roll"
     segments: str = "phase"
+    about: str = ""
+    figure: str = ""
+
+    def footprints_of(self, character: Character) -> list[Footprint]:
+        """Its footprints, those along a path laid out for a character; the first two are stood on."""
+        return list(self.footprints) if self.path is None else footprints_along(self.path, character)
 
 
 _PLAIN = ("name", "about", "figure", "character", "stand_before", "stand_after", "support", "segments")
@@ -93,7 +68,7 @@ def scene_names() -> list[str]:
     return reading.names_in(SCENES)
 
 
-def load_scene(name_or_path: str | Path) -> Scene:
+def load_scene(name_or_path: str | FilePath) -> Scene:
     """A shipped scene by name, or any scene file by path. Raises InputError naming every fault."""
     path = reading.named_file(SCENES, name_or_path, "scene")
     file = reading.read_model(path, _Scene, "scene", "format, name, character, [world] and [[footprint]] or [path]")

@@ -11,15 +11,16 @@ A step longer than the character's leap_length is a leap: its flight is ballisti
 
 from math import exp, sqrt, tan
 
+from motion.arithmetic.gravity import GRAVITY, froude_number, pendulum_time
+from motion.characters.dimensions import Dimensions
+from planner.round.round import UNHURRIED
 from worlds.compiled.jit import jit_borrowing
 
-GRAVITY = 9.81
 RUNS_FROM = 0.5
 """Froude number at which walking gives way to running."""
 RUNNING_DUTY = 0.344
 SHORTEST_STEP = 0.75
-LONGEST_STEP = 2.2
-"""Step time of a walk in pendulum times sqrt(h / g): shorter is scurrying, longer is dawdling."""
+"""Step time of a walk in pendulum times of the hip's height: shorter is scurrying."""
 HURRIED = 1.3
 """Longest step time of those whom others hinder: in a throng, short steps are quick ones."""
 LEAST_SWING = 0.9
@@ -33,19 +34,19 @@ SNAP = 0.02
 
 
 @jit_borrowing
-def pendulum_time(b):
-    """sqrt(h / g) [s]: the unit of time of a leg."""
-    return sqrt(b.hip_height / GRAVITY)
+def hip_pendulum(biped: Dimensions) -> float:
+    """The pendulum time of the hip's height [s]: the unit of time of a gait."""
+    return pendulum_time(biped.timing.hip_height)
 
 
 @jit_borrowing
-def speed(length, hip_height):
+def speed(length: float, hip_height: float) -> float:
     """Speed [m/s] of a gait with this step length [m]."""
     return 0.226 * sqrt(GRAVITY) * (2 * length) ** 1.67 * hip_height**-1.17
 
 
 @jit_borrowing
-def duty_factor(froude, smoothness, slowest):
+def duty_factor(froude: float, smoothness: float, slowest: float) -> float:
     """Share of the stride that a foot stands; smoothness 0 changes to the run abruptly, 1 over a wide range; slowest: the
     share at the slowest walk."""
     walking = max(slowest - 0.104 * sqrt(froude), RUNNING_DUTY)
@@ -55,47 +56,53 @@ def duty_factor(froude, smoothness, slowest):
 
 
 @jit_borrowing
-def nominal_length(b, length, step_time, rise):
+def nominal_length(biped: Dimensions, length: float, step_time: float, rise: float) -> float:
     """Comfortable virtual leg [m] at a step of this length and rise [m] in this time [s]: shorter the faster, and downhill."""
-    froude = (length / step_time) ** 2 / (GRAVITY * b.hip_height)
-    return b.nominal_length * (1 - b.run_crouch * min(froude, 1.0) - DESCENT_CROUCH * max(-rise, 0.0) / b.hip_height)
+    height = biped.timing.hip_height
+    froude = froude_number(length, step_time, height)
+    bent = 1 - biped.gait.run_crouch * min(froude, 1.0) - DESCENT_CROUCH * max(-rise, 0.0) / height
+    return biped.leg.nominal_length * bent
 
 
 @jit_borrowing
-def least_step_time(b, overlap):
+def least_step_time(biped: Dimensions, overlap: float) -> float:
     """Shortest step time after an overlap [s] of double stance, so that the leg has time to swing."""
-    return max(overlap, 0.0) + LEAST_SWING * pendulum_time(b)
+    return max(overlap, 0.0) + LEAST_SWING * hip_pendulum(biped)
 
 
 @jit_borrowing
-def _snap(step, stance):
+def _snap(step: float, stance: float) -> float:
     if abs(stance - step) < SNAP:
         return step
     return stance
 
 
 @jit_borrowing
-def step_timing(b, length, rise, turn, same_side, longest=LONGEST_STEP):
+def step_timing(
+    biped: Dimensions, length: float, rise: float, turn: float, same_side: bool, longest: float = UNHURRIED
+) -> tuple[float, float]:
     """(step time, stance time) [s] of the footprint that a step leaves.
 
     length [m] horizontal, rise [m], turn [rad] >= 0; a hop on the same side is a leap of any length. longest: step time of a
     walk, in pendulum times.
     """
-    unit = pendulum_time(b)
-    slower = 1 + b.turn_slowdown * turn + b.rise_slowdown * abs(rise) / b.hip_height
-    if length > b.leap_length or same_side:
-        return _leap(b, length, rise, slower)
-    v = speed(max(length, 1e-3), b.hip_height)
+    law, unit = biped.timing, hip_pendulum(biped)
+    slower = 1 + law.turn_slowdown * turn + law.rise_slowdown * abs(rise) / law.hip_height
+    if length > biped.reach.leap_length or same_side:
+        return _leap(biped, length, rise, slower)
+    v = speed(max(length, 1e-3), law.hip_height)
     step = min(max(length / v, SHORTEST_STEP * unit), longest * unit) * slower
-    froude = (length / step) ** 2 / (GRAVITY * b.hip_height)
-    return step, _snap(step, 2 * duty_factor(froude, b.gait_smoothness, b.walking_duty) * step)
+    froude = froude_number(length, step, law.hip_height)
+    return step, _snap(step, 2 * duty_factor(froude, law.gait_smoothness, law.walking_duty) * step)
 
 
 @jit_borrowing
-def _leap(b, length, rise, slower):
+def _leap(biped: Dimensions, length: float, rise: float, slower: float) -> tuple[float, float]:
     """Ballistic: d = v^2 sin(2 alpha) / g gives t^2 = 2 (d tan(alpha) - rise) / g; part of d is covered while standing."""
-    distance = max(length - 0.5 * b.leap_length, 0.3 * length)
-    flight = sqrt(2 * max(distance * tan(b.takeoff_angle) - rise, 0.04 * b.hip_height) / GRAVITY)
-    crossing = 0.5 * b.leap_length * flight / distance
-    stance = min(max(COVER * crossing, LEAST_PUSH * pendulum_time(b)), PUSH * pendulum_time(b)) * slower
+    from_length, unit = biped.reach.leap_length, hip_pendulum(biped)
+    distance = max(length - 0.5 * from_length, 0.3 * length)
+    lowest = 0.04 * biped.timing.hip_height
+    flight = sqrt(2 * max(distance * tan(biped.timing.takeoff_angle) - rise, lowest) / GRAVITY)
+    crossing = 0.5 * from_length * flight / distance
+    stance = min(max(COVER * crossing, LEAST_PUSH * unit), PUSH * unit) * slower
     return stance + flight, stance

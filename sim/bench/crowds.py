@@ -2,16 +2,17 @@
 
 from statistics import median
 from time import perf_counter
+from typing import Any
 
 import numba
 import numpy as np
 
-from motion.characters.biped import load_biped
+from motion.characters.character import load_character
 from motion.pose.pose import empty_pose
-from planner.crowd import reservations
-from planner.wandering import Wander
-from sim.rows import crowd as crowds
+from planner.modes.wander import Wander
+from planner.round import reservations
 from sim.rows import rounds
+from sim.rows.posing import pose_all
 from sim.stage.simulation import Simulation
 from worlds.compiled.jit import jit
 from worlds.compiled.parts import call
@@ -38,7 +39,7 @@ def open_forest(n: int) -> World:
 
 def measure(n: int, seconds: float, character: str = "bird") -> dict:
     """Figures of n wanderers: simulated over wall seconds without and with poses, on one thread and on two."""
-    sim = Simulation(open_forest(n), [load_biped(character)] * n, Wander(), 1)
+    sim = Simulation(open_forest(n), [load_character(character)] * n, Wander(), 1)
     for _ in range(SETTLE):
         sim.tick()
     sim.snapshot()  # the first one loads kernels
@@ -76,23 +77,23 @@ def _run(sim: Simulation, seconds: float) -> tuple[list[float], list[float]]:
         ticks.append(perf_counter() - begin)
         if k % (sim.tick_rate // FRAMES) == 0:
             begin = perf_counter()
-            crowds.pose_all(sim.crowd, sim.bipeds, sim.time, rows, pose)
+            pose_all(sim.crowd, sim.bipeds, sim.time, rows, pose)
             poses.append(perf_counter() - begin)
     return ticks, poses
 
 
 def _parts(sim: Simulation, pose_seconds: float) -> dict:
     """Microseconds of one core: of planning and of optimising a step, told on a copy of the crowd, and of a pose."""
-    crowd = crowds.Crowd(*(array.copy() for array in sim.crowd))
+    crowd = _copied(sim.crowd)
     rows = np.sort(np.argsort(sim.reservations.due, kind="stable")[:SAMPLE])
     reservations.sort_into_cells(sim.reservations)
-    held = crowd, sim.bipeds, sim.world.arrays, sim.plans, sim.reservations, sim.seed, sim.effort
-    parts = rounds.compiled_parts()
-    _of_rows(parts.plan, held, rows[:0])
+    work, parts = sim.work()._replace(crowd=crowd), rounds.compiled_parts()
+    work = work._replace(round=work.round._replace(intents=crowd.intents))
+    _of_rows(parts.plan, work, rows[:0])
     begin = perf_counter()
-    _of_rows(parts.plan, held, rows)
+    _of_rows(parts.plan, work, rows)
     planned = perf_counter()
-    _of_rows(parts.optimise, held, rows)
+    _of_rows(parts.optimise, work, rows)
     solved = perf_counter()
     return {
         "planning_us_per_step": 1e6 * (planned - begin) / len(rows),
@@ -102,15 +103,27 @@ def _parts(sim: Simulation, pose_seconds: float) -> dict:
 
 
 @jit
-def _of_rows(part, held, rows):
-    address = rounds.lend(held)
+def _of_rows(part: int, work: rounds.Work, rows: np.ndarray) -> None:
+    address = rounds.lend_work(work)
     for c in rows:
         call(part, address, c)
 
 
 def _bytes(sim: Simulation) -> int:
     """Of the arrays that hold the characters: what they do, and what the others see of them."""
-    return sum(part.nbytes for held in (sim.crowd, sim.reservations) for part in held if isinstance(part, np.ndarray))
+    return _size(sim.crowd) + _size(sim.reservations)
+
+
+def _size(table: object) -> int:
+    """Bytes of the arrays of a tuple, and of tuples in it."""
+    if isinstance(table, tuple):
+        return sum(_size(part) for part in table)
+    return table.nbytes if isinstance(table, np.ndarray) else 0
+
+
+def _copied(table: Any) -> Any:
+    """A tuple of arrays, and of such tuples, copied."""
+    return type(table)(*(_copied(part) for part in table)) if isinstance(table, tuple) else table.copy()
 
 
 def growth(by_count: dict[str, dict]) -> float | None:

@@ -4,18 +4,20 @@ Pushes are lifted: each sample has one unknown a >= 0 per standing leg and the r
 sqrt(r^2 + eps^2). Second derivatives are casadi's own, exact and sparse; only solving is timed, not the building.
 """
 
+from collections.abc import Callable
 from importlib.util import find_spec
 
 import numpy as np
 
-from motion.com import cost
-from motion.track import spline
+from motion.arithmetic.gravity import GRAVITY
+from motion.com.problem import Problem
+from motion.track.curve import acceleration_weights, position_weights
 
 INSTALLED = find_spec("casadi") is not None
 OPTIONS = {"print_time": False, "ipopt": {"print_level": 0, "sb": "yes", "max_iter": 500, "tol": 1e-6}}
 
 
-def solver(problem, eps: float):
+def solver(problem: Problem, eps: float) -> Callable[[np.ndarray], np.ndarray]:
     """Function of control (m + 1, 6), the start, that returns the optimum; nothing may be fixed or out of reach."""
     import casadi
 
@@ -26,8 +28,8 @@ def solver(problem, eps: float):
         knots = casadi.horzcat(x[:3, i], x[3:, i], x[:3, i + 1], x[3:, i + 1])
         for j in range(samples):
             s = (j + 0.5) / samples
-            com = knots @ casadi.DM(spline.position_weights(s, duration))
-            r = knots @ casadi.DM(spline.acceleration_weights(s, duration)) + casadi.DM([0, 0, cost.GRAVITY])
+            com = knots @ casadi.DM(position_weights(s, duration))
+            r = knots @ casadi.DM(acceleration_weights(s, duration)) + casadi.DM([0, 0, GRAVITY])
             part = 0
             for leg in np.flatnonzero(problem.standing[j, :, i]):
                 pushes.append(casadi.SX.sym(f"a{i}_{j}_{leg}"))
@@ -41,7 +43,7 @@ def solver(problem, eps: float):
     least = np.concatenate([np.full(6 * (m + 1), -np.inf), np.zeros(len(pushes))])
 
     def solve(control: np.ndarray) -> np.ndarray:
-        start = np.concatenate([control.ravel(), np.full(len(pushes), 0.5 * cost.GRAVITY)])
+        start = np.concatenate([control.ravel(), np.full(len(pushes), 0.5 * GRAVITY)])
         return np.array(ipopt(x0=start, lbx=least)["x"]).ravel()[: control.size].reshape(-1, 6)
 
     return solve

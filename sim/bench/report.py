@@ -8,8 +8,8 @@ from time import perf_counter
 
 import numpy as np
 
-from motion.characters.biped import load_biped
-from planner.wandering import Wander
+from motion.characters.character import load_character
+from planner.modes.wander import Wander
 from sim.bench import crowds, live, solver
 from sim.stage.simulation import Simulation
 from worlds.level import load_level
@@ -60,7 +60,7 @@ def frames(n: int, count: int) -> float | None:
         picture = Picture(SIZE, LEVELS[SOFTWARE_LEVEL])
     except NoGL:
         return None
-    sim = Simulation(load_level("forest"), [load_biped("bird")] * n, Wander(), 0)
+    sim = Simulation(load_level("forest"), [load_character("bird")] * n, Wander(), 0)
     com = sim.com()
     middle = 0.5 * (com.min(axis=0) + com.max(axis=0))
     picture.camera.frame(middle, float(np.linalg.norm(com - middle, axis=1).max()), SIZE[0] / 100)

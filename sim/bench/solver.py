@@ -7,7 +7,7 @@ import numpy as np
 
 from motion.com import greedy, newton
 from motion.com.equations import assemble, empty_equations
-from motion.com.problem import straight_guess, total_cost
+from motion.com.problem import Problem, straight_guess, total_cost
 from sim.bench import ipopt
 from sim.bench.tracks import TRACKS, twelve_steps
 
@@ -23,7 +23,7 @@ def compare(runs: int) -> dict:
     return {name: _compare_on(problem, runs) for name, problem in (steps | phases).items()}
 
 
-def _compare_on(problem, runs: int) -> dict:
+def _compare_on(problem: Problem, runs: int) -> dict:
     guess = np.zeros((len(problem.time), 6))
     straight_guess(problem, guess, 0)
     rivals = {
@@ -48,14 +48,14 @@ def _compare_on(problem, runs: int) -> dict:
     return report | {"best_cost": min(float(best), *(report[f"{name}_cost"] for name in rivals))}
 
 
-def _lbfgs(problem, x: np.ndarray) -> float:
+def _lbfgs(problem: Problem, x: np.ndarray) -> float:
     try:
         from scipy.optimize import minimize
     except ImportError:
         return float("nan")
     equations = empty_equations(len(problem.time) - 1)
 
-    def smooth(flat):
+    def smooth(flat: np.ndarray) -> tuple[float, np.ndarray]:
         return assemble(problem, flat.reshape(-1, 6), SMOOTHING, equations), equations.gradient.ravel().copy()
 
     options = {"maxiter": 2000, "maxfun": 3000}

@@ -5,14 +5,15 @@ import numpy as np
 from motion.com.problem import Problem, empty_problem
 
 WALK: dict = dict()
-RUN = dict(step_length=1.1, step_time=0.36, stance_time=0.26, flights=True)
-STAIRS = dict(step_length=0.35, step_time=0.6, stance_time=0.75, rise=0.17)
+RUN: dict = dict(step_length=1.1, step_time=0.36, stance_time=0.26, flights=True)
+STAIRS: dict = dict(step_length=0.35, step_time=0.6, stance_time=0.75, rise=0.17)
 TRACKS = {"walk12": WALK, "run12": RUN, "stairs12": STAIRS}
 
 
 def twelve_steps(
-    step_length=0.7, step_time=0.5, stance_time=0.6, rise=0.0, flights=False, samples=10, by_phase=False
-) -> Problem:
+    step_length: float = 0.7, step_time: float = 0.5, stance_time: float = 0.6, rise: float = 0.0, flights: bool = False,
+    samples: int = 10, by_phase: bool = False,
+) -> Problem:  # fmt: skip
     """12 steps, feet 0.2 m apart, l_nominal 0.9 m, k = 100, no hip offset, free ends, midpoint samples."""
     edges = [i * step_time for i in range(13)]
     if flights or by_phase:

@@ -5,6 +5,7 @@ import os
 import zipfile
 import zlib
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -47,3 +48,30 @@ def read(path: str | Path, what: str, hint: str, needed: tuple[str, ...], form: 
     if meta.get("format") != form:
         raise InputError(f"{path}: meta.format = {meta.get('format')!r}: {form} is needed; written by another version")
     return arrays, meta
+
+
+def flat(prefix: str, table: tuple) -> Arrays:
+    """A NamedTuple of arrays, and of such tuples, as arrays by their dotted names."""
+    found: Arrays = {}
+    for name, value in table._asdict().items():  # type: ignore[attr-defined]
+        found |= flat(f"{prefix}.{name}", value) if isinstance(value, tuple) else {f"{prefix}.{name}": value}
+    return found
+
+
+def unflat(prefix: str, model: Any, arrays: Arrays, rows: int | None = None) -> Any:
+    """What `flat` made arrays of, of the model's types, dimensions and, but where `rows` are given, numbers of rows.
+
+    Raises KeyError, ValueError.
+    """
+    found = {}
+    for name, expected in model._asdict().items():
+        key = f"{prefix}.{name}"
+        if isinstance(expected, tuple):
+            found[name] = unflat(key, expected, arrays, rows)
+            continue
+        array = arrays[key]
+        count = len(expected) if rows is None else rows
+        if array.dtype != expected.dtype or array.ndim != expected.ndim or len(array) != count:
+            raise ValueError(f"{key} is {array.dtype} {array.shape}")
+        found[name] = np.ascontiguousarray(array)
+    return type(model)(**found)

@@ -2,6 +2,7 @@
 
 import platform
 from dataclasses import dataclass
+from functools import cached_property
 from importlib.metadata import version
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import numpy as np
 from motion.pose.pose import Pose
 from sim.files import archive
 from sim.stage.cast import Cast
+from sim.stage.commands import Edit, Recast, from_plain
 from worlds.world import World
 
 FORMAT = 1
@@ -23,7 +25,7 @@ class Recorder:
 
     def __init__(self, sim: Cast) -> None:
         self.sim = sim
-        sim.footprints.keep(sim.crowd)
+        sim.keep_footprints()
         self.time: list[float] = []
         self.poses: list[Pose] = []
 
@@ -58,8 +60,10 @@ class Recorder:
             "level": sim.world.name,
             "seed": sim.seed,
             "rate": sim.tick_rate,
-            "characters": [character.to_dict() for character in sim.characters],
+            "characters": [character.to_dict() for character in sim.first_characters],
             "world": sim.world.to_dict(),
+            "first_world": None if sim.world is sim.first_world else sim.first_world.to_dict(),
+            "changes": [change._asdict() for change in sim.changes],
             "versions": {"python": platform.python_version(), **packages},
         }
 
@@ -79,6 +83,27 @@ class Recording:
     def world(self) -> World:
         """The world as it was at the end of the run."""
         return World.from_dict(self.meta["world"])
+
+    @cached_property
+    def worlds(self) -> list[tuple[float, World]]:
+        """The worlds of the run, each with the time [s] from which on it was there; the first from the beginning."""
+        first = self.meta.get("first_world") or self.meta["world"]
+        found, world = [(-np.inf, World.from_dict(first))], World.from_dict(first)
+        for change in self.meta.get("changes", []):
+            command = from_plain(change["command"])
+            if isinstance(command, Edit):
+                world = command.on(world)
+                found.append((change["tick"] / self.meta["rate"], world))
+        return found
+
+    def dimensions(self, c: int) -> list[tuple[float, dict]]:
+        """The dimensions of character c, each with the time [s] from which on they held: it may have been recast."""
+        found = [(-np.inf, self.meta["characters"][c])]
+        for change in self.meta.get("changes", []):
+            command = from_plain(change["command"])
+            if isinstance(command, Recast) and command.character == c:
+                found.append((change["tick"] / self.meta["rate"], command.dimensions))
+        return found
 
 
 def load_recording(path: str | Path) -> Recording:

@@ -1,43 +1,41 @@
 """A running simulation in one file, and on from there, bit by bit.
 
-The file holds the rows of the crowd, the plans, and in `meta` the world, the characters and the planner. What others reserve
-follows from the rows, and chance from (seed, character, step), so nothing else is needed. Only the version that has written a
-state goes on from it: another one might step otherwise.
+The file holds the rows of the crowd, the plans, and in `meta` the world, the characters, the planner and what was changed. What
+others reserve follows from the rows, and chance from (seed, character, step), so nothing else is needed. Only the version that
+has written a state goes on from it: another one might step otherwise.
 """
 
 import hashlib
-from collections.abc import Callable
+import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from motion.characters.biped import FIELDS, Biped, record_of
-from planner.plan import Plans, plans_of
-from planner.river.rock_hop import RockHop
-from planner.walking import WalkTo
-from planner.wandering import Wander
+from motion.characters.character import Character
+from planner.planner import Planner
+from planner.planners import PLANNERS
 from sim import VERSION
 from sim.files import archive
-from sim.rows.crowd import Crowd, empty_crowd
+from sim.rows.crowd import empty_crowd
+from sim.stage.cast import Change
 from sim.stage.simulation import Simulation, State
 from worlds.errors import InputError
 from worlds.world import World
 
-FORMAT = 1
-PLANNERS: dict[str, Callable] = {"Wander": Wander, "RockHop": RockHop, "WalkTo": WalkTo}
-CROWD, PLANS, LOG = "crowd_", "plans_", "footprint_"
+FORMAT = 2
+CROWD, PLANS, LOG = "crowd", "plans", "footprint_"
 
 
 def save(sim: Simulation, path: str | Path) -> None:
     """Writes the state of a simulation. Raises InputError where that cannot be done."""
-    arrays = {CROWD + key: array for key, array in sim.crowd._asdict().items()}
-    arrays |= {PLANS + key: array for key, array in sim.plans._asdict().items()}
-    arrays |= {LOG + key: array for key, array in sim.footprints.kept().items()}
-    archive.write(path, arrays, _meta(sim) | {"digest": _digest(arrays)}, compressed=False)
+    arrays = archive.flat(CROWD, sim.crowd) | ({} if sim.plans is None else archive.flat(PLANS, sim.plans))
+    arrays |= sim.footprints.kept()
+    meta = _meta(sim)
+    archive.write(path, arrays, meta | {"digest": _digest(arrays, meta)}, compressed=False)
 
 
 def _meta(sim: Simulation) -> dict:
-    kinds = {character.name: character for character in sim.characters}
     return {
         "format": FORMAT,
         "program": "footfall",
@@ -47,67 +45,54 @@ def _meta(sim: Simulation) -> dict:
         "seed": sim.seed,
         "steps": sim.footprints.steps,
         "world": sim.world.to_dict(),
-        "kinds": {name: {"dimensions": b.to_dict(), "body": b.body} for name, b in kinds.items()},
-        "characters": [character.name for character in sim.characters],
-        "planner": {"name": type(sim.planner).__name__, "values": _values(sim.planner)},
+        "first_world": sim.first_world.to_dict() if sim.first_world is not sim.world else None,
+        "kinds": [{"dimensions": kind.to_dict(), "look": kind.look.model_dump()} for kind in sim.kinds],
+        "kind": sim.kind.tolist(),
+        "planner": {"name": sim.planner.name, "values": sim.planner.values()},
+        "changes": [change._asdict() for change in sim.changes],
     }
 
 
-def _values(planner) -> dict:
-    """What the planner was made with, as plain values."""
-    if isinstance(planner, WalkTo):
-        return {
-            "starts": planner.places.tolist(),
-            "stops": planner.stops.tolist(),
-            "again": planner.again,
-            "near": planner.near,
-        }
-    return {}
-
-
-def _digest(arrays: archive.Arrays) -> str:
-    whole = hashlib.sha256()
+def _digest(arrays: archive.Arrays, meta: dict) -> str:
+    whole = hashlib.sha256(json.dumps({k: v for k, v in meta.items() if k != "digest"}, sort_keys=True).encode())
     for name in sorted(arrays):
         whole.update(name.encode() + np.ascontiguousarray(arrays[name]).tobytes())
     return whole.hexdigest()
 
 
-def restore(path: str | Path) -> Simulation:
-    """The simulation that `save` wrote. Raises InputError for files of another version, of something else, or damaged."""
-    needed = (*(CROWD + key for key in Crowd._fields), *(PLANS + key for key in Plans._fields))
-    arrays, meta = archive.read(path, "a saved state", "--save STATE.npz", needed, FORMAT)
+def restore(path: str | Path, planner: Planner | None = None) -> Simulation:
+    """The simulation that `save` wrote; `planner`: the one it had, where that is none of those that ship.
+
+    Raises InputError for files of another version, of something else, or damaged.
+    """
+    arrays, meta = archive.read(path, "a saved state", "--save STATE.npz", (f"{CROWD}.kind",), FORMAT)
     if meta.get("version") != VERSION:
         raise InputError(f"{path}: was saved by version {meta.get('version')!r} of Footfall; only that one can go on from it")
-    if meta.get("digest") != _digest(arrays):
+    if meta.get("digest") != _digest(arrays, meta):
         raise InputError(f"{path}: is damaged: its contents are not what was saved")
     try:
-        return _simulation(arrays, meta)
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        return _simulation(arrays, meta, planner or _planner(meta["planner"]))
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
         raise InputError(f"{path}: is damaged: {error!r}") from None
 
 
-def _simulation(arrays: archive.Arrays, meta: dict) -> Simulation:
-    kinds = {
-        name: Biped(name, record_of({field: kind["dimensions"][field] for field in FIELDS}), kind["body"])
-        for name, kind in meta["kinds"].items()
-    }
-    planner = PLANNERS[meta["planner"]["name"]](**meta["planner"]["values"])
-    crowd = _like(Crowd, empty_crowd(arrays[CROWD + "kind"]), arrays, CROWD)
-    plans = _like(Plans, plans_of(0, len(crowd.kind)), arrays, PLANS)
+def _planner(plain: dict) -> Planner:
+    if plain["name"] not in PLANNERS:
+        raise ValueError(f"planner {plain['name']!r} is none of {', '.join(PLANNERS)}; give it to restore")
+    return PLANNERS[plain["name"]](**plain["values"])
+
+
+def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulation:
+    kinds = [Character.from_dict(kind["dimensions"], kind["look"]) for kind in meta["kinds"]]
+    crowd = archive.unflat(CROWD, empty_crowd(arrays[f"{CROWD}.kind"]), arrays)
+    sample: Any = getattr(planner.planning, "sample", None)
+    plans = None if sample is None else archive.unflat(PLANS, sample, arrays, len(crowd.kind))
     sim = Simulation(
-        World.from_dict(meta["world"]), [kinds[name] for name in meta["characters"]], planner, meta["seed"], meta["tick_rate"],
+        World.from_dict(meta["world"]), [kinds[k] for k in meta["kind"]], planner, meta["seed"], meta["tick_rate"],
         State(meta["ticks"], crowd, plans),
     )  # fmt: skip
-    sim.footprints.take(meta["steps"], {k.removeprefix(LOG): array for k, array in arrays.items() if k.startswith(LOG)})
+    sim.changes = [Change(**change) for change in meta["changes"]]
+    if meta["first_world"] is not None:
+        sim.first_world = World.from_dict(meta["first_world"])
+    sim.footprints.take(meta["steps"], {name: array for name, array in arrays.items() if name.startswith(LOG)})
     return sim
-
-
-def _like(kind, model, arrays: archive.Arrays, prefix: str):
-    """The named tuple of arrays, of the model's types and numbers of characters."""
-    found = {}
-    for key, expected in model._asdict().items():
-        array = arrays[prefix + key]
-        if array.dtype != expected.dtype or array.ndim != expected.ndim or len(array) != len(expected):
-            raise ValueError(f"{prefix}{key} is {array.dtype} {array.shape}")
-        found[key] = np.ascontiguousarray(array)
-    return kind(**found)

@@ -7,8 +7,10 @@ pendulum, and lowest in running, a spring (Cavagna).
 
 from typing import NamedTuple
 
-from motion.characters.biped import load_biped
-from planner.script.scene import Print, Scene
+from motion.characters.character import load_character
+from motion.track.footprints import LEFT, RIGHT, SIDES
+from planner.script.footprint import Footprint
+from planner.script.scene import Scene
 from sim.files.recording import Recorder
 from sim.reports.measure import measure
 from sim.reports.timings import run_from
@@ -40,24 +42,24 @@ class Row(NamedTuple):
 def straight(step: float, character: str = "human") -> Scene:
     """A character that walks straight on, from standing to steady steps of this length [m] and back to standing."""
     lengths = [*SPEED_UP[step], *[step] * STEADY, *SPEED_UP[step][::-1]]
-    width = float(load_biped(character).record.step_width)
-    x, prints = 1.0, [_print(1, 1.0, width), _print(0, 1.0, width)]
+    width = float(load_character(character).biped.gait.step_width)
+    x, footprints = 1.0, [_footprint(RIGHT, 1.0, width), _footprint(LEFT, 1.0, width)]
     for k, length in enumerate([*lengths, 0.0]):
         x += length
-        prints.append(_print((k + 1) % 2, x, width))
+        footprints.append(_footprint((k + 1) % 2, x, width))
     world = World("flat", (x + 2, 4.0), start=(1.0, 2.0))
-    return Scene(f"steps of {step} m", "", "", character, world, 0.4, 0.6, tuple(prints), None)
+    return Scene(f"steps of {step} m", world, tuple(footprints), character=character)
 
 
-def _print(side: int, x: float, width: float) -> Print:
-    return Print(side="right" if side else "left", position=(x, 2.0 + (0.5 - side) * width))
+def _footprint(side: int, x: float, width: float) -> Footprint:
+    return Footprint(side=SIDES[side], position=(x, 2.0 + (0.5 - side) * width))  # type: ignore[arg-type]
 
 
 def steady(step: float) -> dict:
     """The report of `measure` over the steady steps of that length alone."""
     show = Performance(straight(step))
     recorder = Recorder(show)
-    begin, end = (show.footprints.arrays(show.crowd)["footprint_contact_time"][k] for k in _looked_at(step))
+    begin, end = (show.walked().footprints.contact_time[k] for k in _looked_at(step))
     while show.time < end:
         show.tick()
         if show.time >= begin:
@@ -72,7 +74,7 @@ def _looked_at(step: float) -> tuple[int, int]:
 
 def compare() -> list[Row]:
     """Every figure with its range."""
-    walk, run, change = steady(WALK)["gait"], steady(RUN)["gait"], run_from(load_biped("human"))
+    walk, run, change = steady(WALK)["gait"], steady(RUN)["gait"], run_from(load_character("human"))
     return [
         Row("walk, 0.7 m steps: speed", "m/s", walk["speed"], 1.33, 1.45),
         Row("walk: bob", "cm", 100 * walk["bob"], 2.5, 5.5),

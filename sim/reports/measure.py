@@ -5,8 +5,11 @@ from collections.abc import Callable, Iterable
 import numpy as np
 
 from motion.measures import gait, joints, quality
+from motion.track.footprints import Footprints
 from sim.files.recording import Recording
 from worlds import queries
+from worlds.arrays import WorldArrays
+from worlds.compiled.tables import empty, picked
 from worlds.errors import InputError
 
 _FRAMES = (
@@ -14,6 +17,7 @@ _FRAMES = (
     "phase", "physics_cost", "comfort_cost", "point_of_support",
 )  # fmt: skip
 _PRINTS = ("side", "position", "heading", "normal", "contact_time", "stance_time", "rock")
+"""Columns of footprints that are measured; others may be missing."""
 _DIMENSIONS = ("nominal_length", "max_length", "metatarsus", "shank_radius", "hip_height", "foot_length", "ball_forward")
 _LARGEST = (
     "stance_slide", "skate", "footprint_error", "contact_error", "penetration", "overreach", "flight_residual",
@@ -30,8 +34,8 @@ def measure(recording: Recording) -> dict:
     Angular velocities and accelerations are central differences at the recording's own rate, "rate" [1/s].
     """
     _check(recording)
-    world, time = recording.world.arrays, recording.arrays["time"]
-    characters = [_character(recording, world, c) for c in range(recording.arrays["com"].shape[1])]
+    time = recording.arrays["time"]
+    characters = [part for c in range(recording.arrays["com"].shape[1]) for part in _parts(recording, c)]
     seconds = float(time[-1] - time[0])
     return {
         "level": recording.meta["level"],
@@ -40,6 +44,15 @@ def measure(recording: Recording) -> dict:
         "characters": characters,
         "worst": _worst(characters),
     }
+
+
+def _parts(recording: Recording, c: int) -> list[dict]:
+    """The report of character c; one for each character that it was, where it was recast."""
+    starts = [begin for begin, _ in recording.dimensions(c)]
+    ends = [*starts[1:], np.inf]
+    time = recording.arrays["time"]
+    spans = [(b, e) for b, e in zip(starts, ends, strict=True) if len(starts) == 1 or ((time >= b) & (time < e)).sum() > 2]
+    return [_character(recording, c, span) for span in spans]
 
 
 def _check(recording: Recording) -> None:
@@ -61,38 +74,69 @@ def frames_of(recording: Recording, c: int) -> dict[str, np.ndarray]:
     return {name: np.ascontiguousarray(recording.arrays[name][:, c]) for name in _FRAMES}
 
 
-def prints_of(recording: Recording, c: int) -> dict[str, np.ndarray]:
-    """The footprints of character c by contact time, (K, ...)."""
-    mine = recording.arrays["footprint_character"] == c
-    return {name: recording.arrays[f"footprint_{name}"][mine] for name in _PRINTS}
+def footprints_of(recording: Recording, c: int) -> Footprints:
+    """The footprints of character c (K,) by contact time."""
+    mine = np.flatnonzero(recording.arrays["footprint_character"] == c)
+    found = empty(Footprints, len(mine))
+    for name, column in found._asdict().items():
+        if f"footprint_{name}" in recording.arrays:
+            column[...] = recording.arrays[f"footprint_{name}"][mine]
+    return found
 
 
-def _character(recording: Recording, world, c: int) -> dict:
-    a, prints = frames_of(recording, c), prints_of(recording, c)
-    time, dimensions = recording.arrays["time"], recording.meta["characters"][c]
+def _character(recording: Recording, c: int, span: tuple[float, float]) -> dict:
+    """Character c from one time up to another [s], while it was the same character."""
+    begin, end = span
+    inside = (recording.arrays["time"] >= begin) & (recording.arrays["time"] < end)
+    time, a = recording.arrays["time"][inside], {k: v[inside] for k, v in frames_of(recording, c).items()}
+    every = footprints_of(recording, c)
+    footprints = picked(every, (every.contact_time >= begin - 1) & (every.contact_time < end))
+    dimensions = next(d for b, d in reversed(recording.dimensions(c)) if b <= begin)
+    grounds = Grounds(recording)
     again = quality.physics_cost(a["com"], a["com_acceleration"], a["point_of_support"], a["contact"])
     return {
         "name": dimensions["name"],
-        **_feet(a, prints, time, dimensions, world),
+        **_feet(a, footprints, time, dimensions, grounds),
         **_legs(a, time, dimensions),
         "physics_cost": quality.by_phase(a["physics_cost"], a["phase"]),
         "physics_cost_error": float(np.abs(again - a["physics_cost"]).max()),
         "comfort_cost": float(a["comfort_cost"].mean()),
         "flight_residual": quality.flight_residual(a["com_acceleration"], a["phase"]),
-        "gait": gait.report(prints, time, a["com"], a["phase"], dimensions["hip_height"]),
-        **_places(prints, world),
-        **_going(prints, a, time),
+        "gait": gait.report(footprints, time, a["com"], a["phase"], dimensions["hip_height"]),
+        **_places(footprints, grounds),
+        **_going(footprints, a, time),
     }
 
 
-def _feet(a: dict, prints: dict, time: np.ndarray, dimensions: dict, world) -> dict:
+class Grounds:
+    """The ground of a run, as it was at each time: it may have been edited."""
+
+    def __init__(self, recording: Recording) -> None:
+        self.begins = np.array([begin for begin, _ in recording.worlds])
+        self.worlds: list[WorldArrays] = [world.arrays for _, world in recording.worlds]
+
+    def at(self, times: np.ndarray) -> list[tuple[np.ndarray, WorldArrays]]:
+        """(indices of the times, world) of each world that holds at some of these times."""
+        which = np.searchsorted(self.begins, times, side="right") - 1
+        return [(np.flatnonzero(which == k), self.worlds[k]) for k in np.unique(which)]
+
+    def heights(self, times: np.ndarray, points: np.ndarray) -> np.ndarray:
+        """Height of the ground (F, ...) below points (F, ..., 3) at times (F,)."""
+        out = np.empty(points.shape[:-1])
+        for rows, world in self.at(times):
+            part = np.ascontiguousarray(points[rows])
+            out[rows] = queries.ground_heights(world, part.reshape(-1, 3)).reshape(part.shape[:-1])
+        return out
+
+
+def _feet(a: dict, footprints: Footprints, time: np.ndarray, dimensions: dict, grounds: Grounds) -> dict:
     """How exactly the feet stand, and what they clear."""
     sole = np.stack([a["heel"], a["ball"], a["toe"]], axis=2)
-    ground = queries.ground_heights(world, sole.reshape(-1, 3)).reshape(sole.shape[:-1])
+    ground = grounds.heights(time, sole)
     height = sole[..., 2] - ground
-    stands = quality.footing(time, a["contact"], prints)
-    down = quality.on_ground(sole, stands, prints)
-    places = quality.marks(prints, dimensions["foot_length"], dimensions["ball_forward"])
+    stands = quality.footing(time, a["contact"], footprints)
+    down = quality.on_ground(sole, stands, footprints)
+    places = quality.marks(footprints, dimensions["foot_length"], dimensions["ball_forward"])
     horizontal, total = quality.skate(sole, down, stands)
     lowest = quality.swing_clearance(height.min(axis=2), a["contact"])
     return {
@@ -100,7 +144,7 @@ def _feet(a: dict, prints: dict, time: np.ndarray, dimensions: dict, world) -> d
         "skate_horizontal": horizontal,
         "skate": total,
         "footprint_error": quality.footprint_error(sole, down, stands, places),
-        "contact_error": quality.contact_error(time, a["contact"], prints),
+        "contact_error": quality.contact_error(time, a["contact"], footprints),
         "penetration": quality.penetration(sole, ground),
         "swing_clearance": quality.swing_clearance(height[..., quality.TOE], a["contact"]),
         "clearance_share": None if lowest is None else lowest / dimensions["nominal_length"],
@@ -118,21 +162,27 @@ def _legs(a: dict, time: np.ndarray, dimensions: dict) -> dict:
     }
 
 
-def _places(prints: dict, world) -> dict:
+def _places(footprints: Footprints, grounds: Grounds) -> dict:
     """Least distances of the footprints' middles; water counts only where no rock carries the foot."""
-    places, on_land = prints["position"], prints["rock"] < 0
-    dry = [queries.water_clearance(world, x, y) for x, y, _ in places[on_land]]
+    trees, waters, borders = [], [], []
+    for rows, world in grounds.at(footprints.contact_time):
+        for n in rows:
+            x, y, _ = footprints.position[n]
+            trees.append(queries.tree_clearance(world, x, y))
+            borders.append(queries.border_clearance(world, x, y))
+            if footprints.rock[n] < 0:
+                waters.append(queries.water_clearance(world, x, y))
     return {
-        "tree_distance": min(queries.tree_clearance(world, x, y) for x, y, _ in places),
-        "water_distance": min(dry, default=queries.REACH),
-        "border_distance": min(queries.border_clearance(world, x, y) for x, y, _ in places),
+        "tree_distance": min(trees),
+        "water_distance": min(waters, default=queries.REACH),
+        "border_distance": min(borders),
     }
 
 
-def _going(prints: dict, a: dict, time: np.ndarray) -> dict:
+def _going(footprints: Footprints, a: dict, time: np.ndarray) -> dict:
     way = float(np.linalg.norm(np.diff(a["com"][:, :2], axis=0), axis=1).sum())
     seconds = float(time[-1] - time[0])
-    return {"steps": len(prints["side"]) - 2, "distance": way, "speed": way / seconds if seconds > 0 else 0.0}
+    return {"steps": len(footprints.side) - 2, "distance": way, "speed": way / seconds if seconds > 0 else 0.0}
 
 
 def _worst(characters: list[dict]) -> dict:
@@ -148,54 +198,3 @@ def _worst(characters: list[dict]) -> dict:
 
 def _most(which: Callable, values: Iterable) -> float | None:
     return which((value for value in values if value is not None), default=None)
-
-
-def in_words(report: dict) -> str:
-    """The report for people."""
-    lines = [f"{report['level']}: {report['seconds']:.1f} s, {len(report['characters'])} character(s)"]
-    for one in report["characters"][:10]:
-        lines += _character_in_words(one)
-    if len(report["characters"]) > 10:
-        lines.append(f"  ... and {len(report['characters']) - 10} more (all of them with --json)")
-    known = {key: value for key, value in report["worst"].items() if value is not None}
-    lines.append("  worst: " + ", ".join(f"{key} {value:.4g}" for key, value in known.items()))
-    return "\n".join(lines)
-
-
-def _character_in_words(one: dict) -> list[str]:
-    costs, went = one["physics_cost"], one["gait"]
-    shares = ", ".join(f"{name} {part['share']:.0%}" for name, part in costs.items() if name != "all")
-    ordered = sorted(went["shares"].items(), key=lambda item: -item[1])
-    gaits = ", ".join(f"{name} {share:.0%}" for name, share in ordered if share > 0)
-    return [
-        f"  {one['name']}: {one['steps']} steps, {one['distance']:.1f} m at {one['speed']:.2f} m/s ({shares})",
-        f"    gait {gaits} of the time; in {went['strides']} strides: speed {_said(went['speed'], 1, 'm/s')}, "
-        f"Froude {_said(went['froude'])}, cadence {_said(went['cadence'], 1, '/min')}, duty {_said(went['duty_factor'])}, "
-        f"double support {_said(went['double_support'], 100, '%')}, flight {_said(went['flight'], 100, '%')}",
-        f"    step length {_said(went['step_length'], 100, 'cm')}, width {_said(went['step_width'], 100, 'cm')}; "
-        f"com bob {_said(went['bob'], 100, 'cm')}, sway {_said(went['sway'], 100, 'cm')}, "
-        f"height at mid-stance {_said(went['height_at_midstance'])} (0 lowest, 1 highest)",
-        f"    slide {1e3 * one['stance_slide']:.3f} mm a frame, skate {1e3 * one['skate']:.3f} mm a stance "
-        f"({1e3 * one['skate_horizontal']:.3f} mm level), off its footprint {1e3 * one['footprint_error']:.3f} mm, "
-        f"contacts {one['contact_error']} ticks off",
-        f"    penetration {1e3 * one['penetration']:.2f} mm, mid-swing clearance of the toe "
-        f"{_said(one['swing_clearance'], 1e3, 'mm')}, of the sole {_said(one['clearance_share'], 100, '% of the leg')}; "
-        f"overreach {1e3 * one['overreach']:.1f} mm, shanks {1e3 * one['shank_gap']:.0f} mm apart beyond their radii",
-        *(_joint_in_words(name, joint) for name, joint in one["joints"].items()),
-        f"    physics cost {costs['all']['mean']:.3f} mean, {costs['all']['peak']:.2f} peak m/s^2; "
-        f"flight |a - g| {one['flight_residual']:.3f} m/s^2",
-        f"    nearest tree {one['tree_distance']:.2f} m, water {one['water_distance']:.2f} m, "
-        f"border {one['border_distance']:.2f} m",
-    ]
-
-
-def _joint_in_words(name: str, joint: dict) -> str:
-    least, most = np.degrees(joint["least"]), np.degrees(joint["most"])
-    return (
-        f"    {name:5} {least:4.0f} to {most:.0f} deg, {joint['velocity']:.1f} rad/s, {joint['acceleration']:.0f} rad/s^2 at "
-        f"{joint['acceleration_time']:.2f} s, {joint['acceleration_ratio']:.2f} times the 99th percentile"
-    )
-
-
-def _said(value: float | None, scale: float = 1.0, unit: str = "") -> str:
-    return "none" if value is None else f"{scale * value:.3g} {unit}".rstrip()

@@ -12,21 +12,18 @@ from matplotlib.figure import Figure
 
 from motion.measures import gait, joints
 from motion.track import phases
+from motion.track.footprints import SIDES as SIDE_NAMES
+from motion.track.footprints import Footprints
 from sim.files.recording import Recording
-from sim.reports.measure import frames_of, prints_of
+from sim.palette import PHASES
+from sim.reports.measure import footprints_of, frames_of
 from worlds.errors import InputError
 
 FRAMES = 30
 """Poses per simulated second in the figures of crowds."""
 KINDS = (".png", ".svg", ".pdf")
-SIDES = (phases.COLOURS[phases.LEFT_STANCE], phases.COLOURS[phases.RIGHT_STANCE])
+SIDES = (PHASES[phases.LEFT_STANCE], PHASES[phases.RIGHT_STANCE])
 INK, GRID = "0.25", "0.9"
-NAMES = {
-    phases.LEFT_STANCE: "left stance",
-    phases.RIGHT_STANCE: "right stance",
-    phases.DOUBLE_STANCE: "double stance",
-    phases.FLIGHT: "flight",
-}
 _STYLE: Any = {
     "font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "axes.labelcolor": INK,
     "xtick.color": INK, "ytick.color": INK, "text.color": INK, "axes.grid": True, "grid.color": GRID, "axes.axisbelow": True,
@@ -41,13 +38,13 @@ def plot_run(recording: Recording, c: int, path: str | Path, between: tuple[floa
         raise InputError(f"--character-index {c}: the recording has {count} character(s), 0 to {count - 1}")
     time, dimensions = recording.arrays["time"], recording.meta["characters"][c]
     shown = _shown(time, between)
-    a, prints = frames_of(recording, c), prints_of(recording, c)
+    a, footprints = frames_of(recording, c), footprints_of(recording, c)
     angles = joints.angles(a, dimensions["metatarsus"] > 0)
     heights = (1.2, 1.2, 1.2, *(1.2 for _ in angles), 0.7)
     with matplotlib.rc_context(_STYLE):
         figure = Figure(figsize=(11, 1.3 * sum(heights)), layout="constrained")
         axes = figure.subplots(len(heights), 1, sharex=True, height_ratios=heights)
-        _com(axes[0], axes[1], time, a["com"], prints, dimensions["hip_height"], shown)
+        _com((axes[0], axes[1]), time, a["com"], footprints, dimensions["hip_height"], shown)
         _costs(axes[2], time[shown], a["physics_cost"][shown], a["comfort_cost"][shown])
         for axis, (name, angle) in zip(axes[3:-1], angles.items(), strict=True):
             _angle(axis, name, time[shown], angle[shown])
@@ -72,11 +69,14 @@ def _shown(time: np.ndarray, between: tuple[float, float] | None) -> slice:
     return slice(int(first), int(last))
 
 
-def _com(height: Axes, aside: Axes, time, com, prints, hip_height: float, shown: slice) -> None:
+def _com(
+    axes: tuple[Axes, Axes], time: np.ndarray, com: np.ndarray, footprints: Footprints, hip_height: float, shown: slice
+) -> None:
     """Height of the com, and how far it is to the left of the walked line."""
+    height, aside = axes
     height.plot(time[shown], com[shown, 2], color=INK)
     height.set_ylabel("com height\n[m]")
-    strides = gait.strides_of(prints, float(time[0]), float(time[-1]), hip_height)
+    strides = gait.strides_of(footprints, float(time[0]), float(time[-1]), hip_height)
     if len(strides.begin):
         left = gait.off_line(time, com, float(np.median(strides.duration)))[:, 0]
         aside.plot(time[shown], 100 * left[shown], color=INK)
@@ -86,7 +86,7 @@ def _com(height: Axes, aside: Axes, time, com, prints, hip_height: float, shown:
     aside.set_ylabel("com to the left\n[cm]")
 
 
-def _costs(axis: Axes, time, physics, comfort) -> None:
+def _costs(axis: Axes, time: np.ndarray, physics: np.ndarray, comfort: np.ndarray) -> None:
     axis.fill_between(time, physics, color="#d95f02", alpha=0.25, linewidth=0)
     axis.plot(time, physics, color="#d95f02", label="physics")
     axis.plot(time, comfort, color="#1b7f79", label="comfort")
@@ -100,13 +100,13 @@ def _legend(axis: Axes) -> None:
     axis.legend(loc="lower right", bbox_to_anchor=(1.0, 0.94), ncols=2, borderaxespad=0)
 
 
-def _angle(axis: Axes, name: str, time, angle) -> None:
-    for side, label in enumerate(("left", "right")):
+def _angle(axis: Axes, name: str, time: np.ndarray, angle: np.ndarray) -> None:
+    for side, label in enumerate(SIDE_NAMES):
         axis.plot(time, np.degrees(angle[:, side]), color=SIDES[side], label=label)
     axis.set_ylabel(f"{name}\n[deg]")
 
 
-def _stances(axis: Axes, time, contact, phase) -> None:
+def _stances(axis: Axes, time: np.ndarray, contact: np.ndarray, phase: np.ndarray) -> None:
     """The timing diagram: a bar per foot where it stands, in the colour of the body's phase; flights behind both."""
     dt = (time[-1] - time[0]) / max(len(time) - 1, 1)
     edges = np.concatenate([[0], np.flatnonzero(np.diff(phase)) + 1, [len(phase)]])
@@ -114,15 +114,15 @@ def _stances(axis: Axes, time, contact, phase) -> None:
         code = int(phase[begin])
         span = (time[begin], (end - begin) * dt)
         if code == phases.FLIGHT:
-            axis.broken_barh([span], (-0.5, 2), color=phases.COLOURS[code], linewidth=0)
+            axis.broken_barh([span], (-0.5, 2), color=PHASES[code], linewidth=0)
         for side in range(2):
             if contact[begin, side]:
-                axis.broken_barh([span], (0.65 - side, 0.7), color=phases.COLOURS[code], linewidth=0)
-    axis.set_yticks([1, 0], ["left", "right"])
+                axis.broken_barh([span], (0.65 - side, 0.7), color=PHASES[code], linewidth=0)
+    axis.set_yticks([1, 0], list(SIDE_NAMES))
     axis.set_ylim(-0.5, 1.5)
     axis.grid(False, axis="y")
     axis.set_ylabel("stance")
-    handles = [matplotlib.patches.Patch(color=phases.COLOURS[code], label=NAMES[code]) for code in NAMES]
+    handles = [matplotlib.patches.Patch(color=PHASES[code], label=name) for code, name in enumerate(phases.NAMES)]
     axis.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.45), ncols=4)
 
 
@@ -154,7 +154,7 @@ def _timing(axes: np.ndarray, name: str, table: dict) -> None:
         for kind, shade in (("run", 0.10), ("leap", 0.22)):
             there = length[kinds == kind]
             if len(there):
-                axis.axvspan(there[0], there[-1], color=phases.COLOURS[phases.FLIGHT], alpha=shade * 2, linewidth=0)
+                axis.axvspan(there[0], there[-1], color=PHASES[phases.FLIGHT], alpha=shade * 2, linewidth=0)
     for kind in ("walk", "run", "leap"):
         there = length[kinds == kind]
         if len(there):

@@ -2,7 +2,9 @@
 
 import numpy as np
 
-from motion.characters.biped import Biped
+from motion.arithmetic.gravity import froude_number
+from motion.characters.character import Character
+from motion.characters.dimensions import Dimensions
 from planner.stepping import timing
 
 SHORTEST = 0.1
@@ -13,35 +15,36 @@ COLUMNS = (
 )  # fmt: skip
 
 
-def timing_table(biped: Biped, count: int = 400) -> dict:
+def timing_table(character: Character, count: int = 400) -> dict:
     """Columns (count,) for level, straight steps up to the longest leap, the gait of each, and the Froude number (None where
     that is not reached) at which walking changes to running. Metres and seconds."""
-    b = biped.record
-    lengths = np.linspace(SHORTEST * b.max_step, b.max_leap, count)
-    rows = np.array([_row(b, float(length)) for length in lengths])
+    biped = character.biped
+    lengths = np.linspace(SHORTEST * biped.reach.max_step, biped.reach.max_leap, count)
+    rows = np.array([_row(biped, float(length)) for length in lengths])
     table = {name: column.tolist() for name, column in zip(COLUMNS, rows.T, strict=True)}
     flies = rows[:, COLUMNS.index("flight_time")] > 0
-    gaits = np.where(lengths > b.leap_length, "leap", np.where(flies, "run", "walk"))
-    return {**table, "gait": gaits.tolist(), "run_from": run_from(biped)}
+    gaits = np.where(lengths > biped.reach.leap_length, "leap", np.where(flies, "run", "walk"))
+    return {**table, "gait": gaits.tolist(), "run_from": run_from(character)}
 
 
-def _row(b, length: float) -> tuple[float, ...]:
-    step, stance = timing.step_timing(b, length, 0.0, 0.0, False)
+def _row(biped: Dimensions, length: float) -> tuple[float, ...]:
+    step, stance = timing.step_timing(biped, length, 0.0, 0.0, False)
     speed = length / step
-    froude = speed**2 / (timing.GRAVITY * b.hip_height)
+    froude = froude_number(length, step, biped.timing.hip_height)
     return (
         length, step, stance, 2 * step - stance, max(stance - step, 0.0), max(step - stance, 0.0), speed, stance / (2 * step),
         froude,
     )  # fmt: skip
 
 
-def run_from(biped: Biped) -> dict[str, float] | None:
+def run_from(character: Character) -> dict[str, float] | None:
     """Step length [m], speed [m/s] and Froude number of the first step with a flight; None where only leaps have one."""
-    b = biped.record
-    flies = [length for length in np.linspace(0.1 * b.max_step, b.leap_length, 2000) if _row(b, length)[5] > 0]
+    biped = character.biped
+    lengths = np.linspace(0.1 * biped.reach.max_step, biped.reach.leap_length, 2000)
+    flies = [float(length) for length in lengths if _row(biped, float(length))[5] > 0]
     if not flies:
         return None
-    row = dict(zip(COLUMNS, _row(b, flies[0]), strict=True))
+    row = dict(zip(COLUMNS, _row(biped, flies[0]), strict=True))
     return {name: float(row[name]) for name in ("step_length", "speed", "froude")}
 
 

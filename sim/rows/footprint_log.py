@@ -5,14 +5,20 @@ may prolong the stance by standing on). So the log takes footprint n - 2 when n 
 last two of each are read off the crowd when somebody asks.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
+from motion.track.footprints import Footprints
 from sim.rows.crowd import Crowd
+from worlds.compiled.tables import picked
 
-KEYS = (
-    "side", "position", "heading", "normal", "contact_time", "stance_time", "step_time", "rock", "roll", "nominal_length",
-    "facing", "lift", "hold",
-)  # fmt: skip
+
+class Walked(NamedTuple):
+    """Footprints of several characters."""
+
+    character: np.ndarray  # (K,)
+    footprints: Footprints  # (K,)
 
 
 class FootprintLog:
@@ -21,7 +27,7 @@ class FootprintLog:
 
     def __init__(self) -> None:
         self.steps = 0
-        self._chunks: list[dict[str, np.ndarray]] | None = None
+        self._chunks: list[Walked] | None = None
 
     def keep(self, crowd: Crowd) -> None:
         """From now on nothing is forgotten; what the crowd still holds is taken."""
@@ -33,51 +39,90 @@ class FootprintLog:
         for k in range(int(placed.max())):
             who = np.flatnonzero(placed > k)
             back = placed[who] - k  # footprints placed from this one on, the newest included
-            self.steps += int((~crowd.stands[who, crowd.real[who] - back]).sum())
+            self.steps += int((~crowd.footprints.stands[who, crowd.real[who] - back]).sum())
             if self._chunks is not None:
                 self._chunks.append(_gather(crowd, who, crowd.real[who] - back - 2))
 
-    def arrays(self, crowd: Crowd) -> dict[str, np.ndarray]:
-        """The footprint_* arrays of a recording, in the order of their contacts."""
+    def close(self, crowd: Crowd, c: int) -> None:
+        """Takes the last two of character c, which is about to begin another row."""
+        if self._chunks is not None:
+            self._chunks.append(_gather(crowd, np.array([c, c]), crowd.real[c] - np.array([2, 1])))
+
+    def walked(self, crowd: Crowd) -> Walked:
+        """All that is known, in the order of the contacts."""
         everyone = np.arange(len(crowd.kind))
         pending = [_gather(crowd, everyone, crowd.real - 2), _gather(crowd, everyone, crowd.real - 1)]
         rows = _joined((_final(crowd) if self._chunks is None else self._chunks) + pending)
-        order = np.lexsort((rows["contact_time"], rows["character"]))
-        rows = _without_standing_on({key: value[order] for key, value in rows.items()})
-        order = np.lexsort((rows["character"], rows["contact_time"]))
-        return {f"footprint_{key}": value[order] for key, value in rows.items() if key != "stands"}
+        rows = _sorted(rows, np.lexsort((rows.footprints.contact_time, rows.character)))
+        rows = _without_standing_on(rows)
+        return _sorted(rows, np.lexsort((rows.character, rows.footprints.contact_time)))
+
+    def arrays(self, crowd: Crowd) -> dict[str, np.ndarray]:
+        """The footprint_* arrays of a recording."""
+        return {key: array for key, array in as_arrays(self.walked(crowd)).items() if key != "footprint_stands"}
 
     def kept(self) -> dict[str, np.ndarray]:
         """What `keep` has kept, as arrays to save; none where it was not asked for."""
-        return {} if self._chunks is None else _joined(self._chunks)
+        return {} if self._chunks is None else as_arrays(_joined(self._chunks))
 
     def take(self, steps: int, kept: dict[str, np.ndarray]) -> None:
         """Goes on from a saved state."""
-        self.steps, self._chunks = steps, [kept] if kept else None
+        self.steps, self._chunks = steps, [from_arrays(kept)] if kept else None
 
 
-def _final(crowd: Crowd) -> list[dict[str, np.ndarray]]:
+def as_arrays(walked: Walked) -> dict[str, np.ndarray]:
+    """Arrays by their names in files."""
+    columns = {f"footprint_{name}": column for name, column in walked.footprints._asdict().items()}
+    return {"footprint_character": walked.character, **columns}
+
+
+def from_arrays(arrays: dict[str, np.ndarray]) -> Walked:
+    """What `as_arrays` made arrays of. Raises KeyError."""
+    columns = (np.ascontiguousarray(arrays[f"footprint_{name}"]) for name in Footprints._fields)
+    return Walked(arrays["footprint_character"], Footprints(*columns))
+
+
+def _final(crowd: Crowd) -> list[Walked]:
     """The crowd's footprints but for the last two of each character."""
     rows = [(np.flatnonzero(crowd.real - 2 > k), k) for k in range(int(crowd.real.max(initial=2)) - 2)]
     return [_gather(crowd, who, np.full(len(who), k)) for who, k in rows] or [_gather(crowd, *np.zeros((2, 0), np.int64))]
 
 
-def _joined(chunks: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
-    return {key: np.concatenate([chunk[key] for chunk in chunks]) for key in chunks[0]}
+def _joined(chunks: list[Walked]) -> Walked:
+    columns = (np.concatenate(parts) for parts in zip(*(chunk.footprints for chunk in chunks), strict=True))
+    return Walked(np.concatenate([chunk.character for chunk in chunks]), Footprints(*columns))
 
 
-def _gather(crowd: Crowd, who: np.ndarray, row: np.ndarray) -> dict[str, np.ndarray]:
-    chunk = {key: getattr(crowd, key)[who, row] for key in KEYS}
-    return {"character": who, **chunk, "stands": crowd.stands[who, row]}
+def _sorted(walked: Walked, order: np.ndarray) -> Walked:
+    return Walked(walked.character[order], picked(walked.footprints, order))
 
 
-def _without_standing_on(rows: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+def _gather(crowd: Crowd, who: np.ndarray, row: np.ndarray) -> Walked:
+    return Walked(who, picked(crowd.footprints, (who, row)))
+
+
+def _without_standing_on(walked: Walked) -> Walked:
     """Merges each row that stands on into the same foot's row before it."""
     owner: dict[tuple[int, int], int] = {}
-    for i, key in enumerate(zip(rows["character"].tolist(), rows["side"].tolist(), strict=True)):
-        if rows["stands"][i] and key in owner:
-            first = owner[key]
-            rows["stance_time"][first] = rows["contact_time"][i] + rows["stance_time"][i] - rows["contact_time"][first]
+    rows = walked.footprints
+    for i, key in enumerate(zip(walked.character.tolist(), rows.side.tolist(), strict=True)):
+        if rows.stands[i] and key in owner:
+            begun = owner[key]
+            rows.stance_time[begun] = rows.contact_time[i] + rows.stance_time[i] - rows.contact_time[begun]
         else:
             owner[key] = i
-    return {key: value[~rows["stands"]] for key, value in rows.items()}
+    return _sorted(walked, np.flatnonzero(~rows.stands))
+
+
+def placed_since(crowd: Crowd, seen: np.ndarray) -> Walked | None:
+    """The footprints that were placed since the numbers `seen` (C,), the oldest first; None where rows have forgotten some."""
+    new = crowd.number - seen
+    if (new > crowd.real).any() or (new < 0).any():
+        return None
+    found = [_gather(crowd, *np.zeros((2, 0), np.int64))]
+    for back in range(int(new.max(initial=0)) - 1, -1, -1):
+        who = np.flatnonzero(new > back)
+        row = crowd.real[who] - 1 - back
+        moved = ~crowd.footprints.stands[who, row]
+        found.append(_gather(crowd, who[moved], row[moved]))
+    return _joined(found)

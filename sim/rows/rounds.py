@@ -2,142 +2,125 @@
 optimised in its window and committed. All who are due in a tick decide, then all show what they have decided.
 """
 
-from math import cos, sin
 from typing import NamedTuple
 
 import numpy as np
 from numba import prange
 
-from motion.characters.biped import BIPED
-from motion.com import newton, window
-from planner import plan
-from planner.crowd import avoiding, reservations
-from sim.rows import row as rows
-from sim.rows import steps
-from sim.rows.crowd import REAL, SHARE, TENTATIVE, WORKERS, empty_crowd, fetch_row, horizon, track_of
+from motion.characters.dimensions import empty_bipeds
+from motion.com import newton
+from motion.com.newton import Effort
+from motion.com.window import optimise_window
+from motion.track.curve import up_to
+from motion.track.footprints import feet_before
+from planner.crowd.avoiding import YIELD_TIME, give_way
+from planner.round import reservations
+from planner.round.kernel import lend_me, lend_round, lend_wish, open_wish
+from planner.round.reservations import Intents, Reservations, empty_reservations
+from planner.round.round import Me, Round, Wish, standing
+from planner.stepping import random
+from planner.stepping.placing import lay_swing
+from planner.stepping.taking import take_step
+from sim.rows.crowd import REAL, TENTATIVE, Crowd, commit, empty_crowd, footprints_of, horizon, shift
+from sim.rows.posing import SHARE, WORKERS, fetch_row
+from worlds.arrays import no_world
 from worlds.compiled.jit import jit, jit_borrowing, jit_parallel
-from worlds.compiled.parts import Part, call, fetch, handle, take
-from worlds.world import World
+from worlds.compiled.parts import Part, call, call_three, fetch, handle, take
+from worlds.compiled.tables import empty, row
 
-WINDOW_TAIL = 0.0
-"""Share of a step that the window goes on after the last tentative contact: more steadies its end, and costs time."""
-
-lend, opened = handle(
-    (
-        empty_crowd(np.zeros(1)),
-        np.zeros(1, BIPED).view(np.recarray),
-        World("sample", (1.0, 1.0)).arrays,
-        plan.plans_of(plan.STAND, 1),
-        reservations.empty_reservations(np.ones(1, BIPED).view(np.recarray), np.zeros(1, np.int64), (1.0, 1.0)),
-        0,
-        newton.LIVE,
-    )
-)
-"""What a round works on: crowd, bipeds, world, plans, reservations, seed, effort."""
+AT_FIRST, LONGER = 0.3, 0.5
+"""Everyone stands so long [s] at the very beginning, and by chance up to so much longer."""
 
 
-@jit_borrowing
-def _wish(crowd, b, w, plans, c, seed, n, step):
-    """What the planner wants as footprint number `step`, at row n."""
-    two = slice(n - 2, n)
-    return plan.next_footprint(
-        b, w, plans, c, seed, step, crowd.reached[c], crowd.hindered[c], crowd.side[c, two], crowd.position[c, two],
-        crowd.heading[c, two], crowd.normal[c, two], crowd.rock[c, two],
-    )  # fmt: skip
+class Work(NamedTuple):
+    """What a round works on."""
 
-
-@jit_borrowing
-def _make_way(crowd, b, w, r, c, seed, n, goes, wish):
-    """The wish, or what is free of others instead of it."""
-    goes_on = 0.0 if wish.stands else 1.0
-    crowd.aim[c, 0], crowd.aim[c, 1] = goes_on * cos(wish.way), goes_on * sin(wish.way)
-    two = slice(n - 2, n)
-    overlap = crowd.contact_time[c, n - 2] + crowd.stance_time[c, n - 2] - crowd.contact_time[c, n - 1]
-    placed, crowd.hindered[c] = avoiding.make_way(
-        b, w, r, c, wish, crowd.side[c, two], crowd.position[c, two], crowd.heading[c, two], crowd.normal[c, two],
-        crowd.rock[c, two], crowd.contact_time[c, n - 1], overlap, crowd.hindered[c], seed, crowd.number[c], goes,
-        crowd.claim[c],
-    )  # fmt: skip
-    return placed
-
-
-@jit_borrowing
-def _place(crowd, bipeds, w, plans, r, c, seed):
-    """Footprint n and the tentative ones behind it; whoever has to stand means to go on standing."""
-    b, n = bipeds[crowd.kind[c]], crowd.real[c]
-    hindered = False
-    for k in range(n, n + 1 + TENTATIVE):
-        if hindered:
-            placed = plan.stay(
-                crowd.side[c, k - 2], crowd.position[c, k - 2], crowd.heading[c, k - 2], crowd.normal[c, k - 2],
-                crowd.rock[c, k - 2], avoiding.YIELD_TIME,
-            )  # fmt: skip
-        else:
-            wish = _wish(crowd, b, w, plans, c, seed, k, crowd.number[c] + k - n)
-            placed = wish
-            if k == n and plan.avoids(plans, c):
-                placed = _make_way(crowd, b, w, r, c, seed, n, plans.mode[c] == plan.WALK, wish)
-                hindered = placed.stands and not wish.stands
-        steps.write(crowd, bipeds, c, k, placed)
-        if k == n:
-            crowd.standing[c] = placed.stands
-    crowd.lift[c, n] = 0.0
-    if not crowd.standing[c]:
-        steps.lay_way(crowd, bipeds, w, c, n)
-
-
-@jit_borrowing
-def _reach_stop(crowd, b, w, plans, c, n):
-    """Counts the stop that a walker has come to, unless it is the last one to stay at."""
-    x, y = crowd.position[c, n - 1, 0], crowd.position[c, n - 1, 1]
-    x, y = plan.middle_of(b, crowd.side[c, n - 1], x, y, crowd.heading[c, n - 1])
-    reached = crowd.reached[c]
-    if not plan.is_last_stop(plans, c, reached) and plan.is_there(b, w, plans, c, reached, crowd.hindered[c], x, y):
-        crowd.reached[c] += 1
-
-
-@jit_borrowing
-def window_end(track):
-    """Where the window ends [s]: shortly after the last tentative footprint has landed."""
-    last = len(track.side) - 1
-    return track.contact_time[last] + WINDOW_TAIL * track.step_time[last]
-
-
-@Part
-def optimise_step(address, c):
-    """Solves character c's window over the real and tentative footprints and commits step n - 1 (paper, section 4.2)."""
-    crowd, bipeds, _, _, _, _, effort = opened(address)
-    n, committed = crowd.real[c] - 1, crowd.curve_count[c]
-    track = track_of(crowd, c, n + TENTATIVE + 1)
-    time, control, support = crowd.window_time[c], crowd.window_control[c], crowd.window_support[c]
-    points, e, iterations = window.optimise_window(
-        bipeds[crowd.kind[c]], track, crowd.curve_time[c, committed], window_end(track), crowd.control[c, committed],
-        crowd.window_count[c], time, control, support, effort,
-    )  # fmt: skip
-    crowd.window_count[c] = points
-    crowd.window_cost[c, 0], crowd.window_cost[c, 1] = e, iterations
-    rows.commit(crowd, c, time[:points], control[:points], support[: points - 1], track.contact_time[n - 1])
-
-
-@Part
-def plan_step(address, c):
-    """Character c's footprint n, its timing, and the tentative footprints behind it."""
-    crowd, bipeds, w, plans, r, seed, _ = opened(address)
-    if crowd.real[c] == REAL:
-        rows.shift(crowd, c)
-    n = crowd.real[c]
-    crowd.number[c] += 1
-    if plans.mode[c] == plan.WALK:
-        _reach_stop(crowd, bipeds[crowd.kind[c]], w, plans, c, n)
-    _place(crowd, bipeds, w, plans, r, c, seed)
-    crowd.real[c] = n + 1
+    crowd: Crowd
+    round: Round  # its plans an address, which the planner alone opens
+    effort: Effort
+    planner: int  # where its next_step lies
 
 
 class Parts(NamedTuple):
-    """The parts of one round of the paper's loop, by where they lie: kernels get them as an argument."""
+    """The parts of a round, by where they lie."""
 
     plan: int
     optimise: int
+
+
+_ONE = np.zeros(1, np.int64)
+SAMPLE = Work(
+    empty_crowd(_ONE),
+    Round(_ONE, empty_bipeds(1), no_world(), 0, empty_reservations(empty_bipeds(1), _ONE, (1.0, 1.0)), empty(Intents, 1), 0),
+    newton.LIVE,
+    0,
+)
+"""For its types."""
+lend_work, open_work, _ = handle(SAMPLE)
+
+
+@jit_borrowing
+def _wish(work: Work, me: Me) -> Wish:
+    """What the planner wants, asked where it lies; at the very beginning everyone stands."""
+    if me.number <= 2:
+        return standing(me, AT_FIRST + LONGER * random.uniform(work.round.seed, me.c, me.number, random.WAIT))
+    answer = lend_wish(standing(me, YIELD_TIME))
+    call_three(work.planner, lend_round(work.round), lend_me(me), answer)
+    return open_wish(answer)
+
+
+@jit_borrowing
+def _wish_among_others(work: Work, me: Me) -> tuple[Wish, bool]:
+    """A real step: the wish, or what is free of others instead of it; and whether it stands though it wished to go."""
+    if work.crowd.paused[me.c]:
+        return standing(me, YIELD_TIME), True
+    wish = _wish(work, me)
+    if not wish.avoids:
+        return wish, False
+    free = give_way(work.round, me, wish)
+    return free, free.step.stands > 0 and not wish.step.stands > 0
+
+
+@Part
+def plan_step(address: int, c: int) -> None:
+    """Character c's footprint n, its timing, and the tentative ones behind it; who has to stand means to go on standing."""
+    work = open_work(address)
+    crowd, round = work.crowd, work.round
+    if crowd.real[c] == REAL:
+        shift(crowd, c)
+    crowd.number[c] += 1
+    n, footprints, biped = crowd.real[c], row(crowd.footprints, c), round.bipeds[crowd.kind[c]]
+    held_up = False
+    for k in range(n, n + 1 + TENTATIVE):
+        me = Me(c, crowd.number[c] + k - n, k == n, crowd.intents.hindered[c], feet_before(footprints, k))
+        if k == n:
+            wish, held_up = _wish_among_others(work, me)
+            crowd.standing[c] = wish.step.stands > 0
+        elif held_up:
+            wish = standing(me, YIELD_TIME)
+        else:
+            wish = _wish(work, me)
+        take_step(biped, round.world, footprints, k, wish)
+    footprints.lift[n] = 0.0
+    if not crowd.standing[c]:
+        lay_swing(biped, round.world, footprints, n)
+    crowd.real[c] = n + 1
+
+
+@Part
+def optimise_step(address: int, c: int) -> None:
+    """Solves character c's window over the real and tentative footprints and commits step n - 1 (paper, section 4.2)."""
+    work = open_work(address)
+    crowd = work.crowd
+    n, end = crowd.real[c] - 1, crowd.segments[c]
+    footprints, window = footprints_of(crowd, c, n + TENTATIVE + 1), row(crowd.window, c)
+    points, solved = optimise_window(
+        work.round.bipeds[crowd.kind[c]], footprints, crowd.committed.time[c, end], crowd.committed.control[c, end], window,
+        crowd.points[c], work.effort,
+    )  # fmt: skip
+    crowd.points[c] = points
+    crowd.window_cost[c, 0], crowd.window_cost[c, 1] = solved.cost, solved.iterations
+    commit(crowd, c, up_to(window, points - 1), footprints.contact_time[n - 1])
 
 
 def compiled_parts() -> Parts:
@@ -146,60 +129,59 @@ def compiled_parts() -> Parts:
 
 
 @jit_borrowing
-def publish(crowd, bipeds, r, c):
+def publish(crowd: Crowd, round: Round, c: int) -> None:
     """Lets the others see what character c holds and means to do."""
-    n = crowd.real[c]
-    r.due[c] = horizon(crowd, c)
-    r.aim[c, 0], r.aim[c, 1] = crowd.aim[c, 0], crowd.aim[c, 1]
+    held, n, intents, f = round.reservations, crowd.real[c], crowd.intents, crowd.footprints
+    held.due[c] = horizon(crowd, c)
+    held.aim[c, 0], held.aim[c, 1] = intents.aim[c, 0], intents.aim[c, 1]
     for k in range(3):
-        r.claim[c, k] = crowd.claim[c, k]
-    late = reservations.lag(bipeds[crowd.kind[c]])
+        held.claim[c, k] = intents.claim[c, k]
+    late = reservations.lag(round.bipeds[crowd.kind[c]])
     for k in range(reservations.FEET):
-        row = max(n - reservations.FEET + k, 0)
-        r.foot[c, k, 0], r.foot[c, k, 1] = crowd.position[c, row, 0], crowd.position[c, row, 1]
-        r.foot[c, k, 2] = np.inf if row >= n - 2 else crowd.contact_time[c, row] + crowd.stance_time[c, row]
+        i = max(n - reservations.FEET + k, 0)
+        held.foot[c, k, 0], held.foot[c, k, 1] = f.position[c, i, 0], f.position[c, i, 1]
+        held.foot[c, k, 2] = np.inf if i >= n - 2 else f.contact_time[c, i] + f.stance_time[c, i]
     for k in range(reservations.COMMITTED + reservations.TENTATIVE):
-        row = max(n - reservations.COMMITTED + k, 0)
-        before = max(row - 1, 0)
-        r.way[c, k, 0] = 0.5 * (crowd.position[c, before, 0] + crowd.position[c, row, 0])
-        r.way[c, k, 1] = 0.5 * (crowd.position[c, before, 1] + crowd.position[c, row, 1])
-        r.way[c, k, 2] = crowd.contact_time[c, row] + late
+        i = max(n - reservations.COMMITTED + k, 0)
+        before = max(i - 1, 0)
+        held.path[c, k, 0] = 0.5 * (f.position[c, before, 0] + f.position[c, i, 0])
+        held.path[c, k, 1] = 0.5 * (f.position[c, before, 1] + f.position[c, i, 1])
+        held.path[c, k, 2] = f.contact_time[c, i] + late
 
 
 @jit_borrowing
-def publish_all(crowd, bipeds, r, who):
+def publish_all(crowd: Crowd, round: Round, who: np.ndarray) -> None:
     """Lets everyone see the characters `who` (K,)."""
     for c in who:
-        publish(crowd, bipeds, r, c)
+        publish(crowd, round, c)
 
 
 @jit
-def due_now(r, until, placed):
+def due_now(held: Reservations, until: float, placed: np.ndarray) -> np.ndarray:
     """The characters that must plan before `until` [s], in the order of their numbers."""
-    due = np.empty(len(r.due), np.int64)
+    due = np.empty(len(held.due), np.int64)
     count = 0
-    for c in range(len(r.due)):
-        if r.due[c] < until and placed[c] < REAL - 2:
+    for c in range(len(held.due)):
+        if held.due[c] < until and placed[c] < REAL - 2:
             due[count] = c
             count += 1
     return due[:count].copy()
 
 
 @jit_borrowing
-def _fetch_round(crowd, c):
+def _fetch_round(crowd: Crowd, c: int) -> None:
     """Asks for what a round of character c reads."""
     fetch_row(crowd, c)
-    for n in range(crowd.window_count[c] + 1):
-        fetch(crowd.window_control, (c, n, 0))
-    fetch(crowd.window_time, (c, 0))
-    fetch(crowd.window_time, (c, 8))
+    for n in range(crowd.points[c] + 1):
+        fetch(crowd.window.control, (c, n, 0))
+    fetch(crowd.window.time, (c, 0))
+    fetch(crowd.window.time, (c, 8))
 
 
 @jit_borrowing
-def _advance_some(parts, address, turn, counter):
+def _advance_some(parts: Parts, address: int, turn: np.ndarray, counter: np.ndarray) -> None:
     """One round for share after share of a turn, until none is left."""
-    crowd = opened(address)[0]
-    begin = take(counter) * SHARE
+    crowd, begin = open_work(address).crowd, take(counter) * SHARE
     while begin < len(turn):
         for k in range(begin, min(begin + SHARE, len(turn))):
             if k + 1 < len(turn):
@@ -210,13 +192,13 @@ def _advance_some(parts, address, turn, counter):
 
 
 @jit_parallel
-def _advance_in_threads(parts, address, turn, counter):
+def _advance_in_threads(parts: Parts, address: int, turn: np.ndarray, counter: np.ndarray) -> None:
     for _ in prange(WORKERS):
         _advance_some(parts, address, turn, counter)
 
 
 @jit
-def advance_all(parts, crowd, bipeds, w, plans, r, seed, effort, until, placed):
+def advance_all(parts: Parts, work: Work, until: float, placed: np.ndarray) -> None:
     """One round for every character whose committed curve ends before `until` [s]; placed (C,) counts the new footprints.
 
     Neighbours who are due in the same tick take turns, as often as needed: all of a turn decide against what was published
@@ -224,18 +206,18 @@ def advance_all(parts, crowd, bipeds, w, plans, r, seed, effort, until, placed):
     """
     placed[:] = 0
     counter = np.zeros(1, np.int64)
-    address = lend((crowd, bipeds, w, plans, r, seed, effort))
-    due = due_now(r, until, placed)
+    address, held = lend_work(work), work.round.reservations
+    due = due_now(held, until, placed)
     if len(due) > 0:
-        reservations.sort_into_cells(r)
+        reservations.sort_into_cells(held)
     while len(due) > 0:
-        turn = reservations.without_neighbours(r, due)
+        turn = reservations.without_neighbours(held, due)
         counter[0] = 0
         if len(turn) <= SHARE:
             _advance_some(parts, address, turn, counter)
         else:
             _advance_in_threads(parts, address, turn, counter)
-        publish_all(crowd, bipeds, r, turn)
+        publish_all(work.crowd, work.round, turn)
         for c in turn:
             placed[c] += 1
-        due = due_now(r, until, placed)
+        due = due_now(held, until, placed)

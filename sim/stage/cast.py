@@ -1,32 +1,45 @@
 """Characters in a world at a time: what the live simulation and a scripted performance share, and the view reads."""
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
-from motion.characters.biped import BIPED, Biped
+from motion.characters.character import Character
+from motion.characters.dimensions import empty_bipeds
 from motion.pose.pose import Pose, empty_pose
-from motion.track.footprints import Track
-from planner.stepping import placing
+from motion.track.curve import Curve
+from motion.track.footprints import Footprints
 from sim.rows import crowd as crowds
-from sim.rows.footprint_log import FootprintLog
+from sim.rows.footprint_log import FootprintLog, Walked, placed_since
+from sim.rows.posing import pose_all
 from worlds.compiled.jit import start_threads
-from worlds.queries import rock_under
+from worlds.compiled.tables import copied, picked
 from worlds.world import World
 
 TICK_RATE = 60
 
 
+class Change(NamedTuple):
+    """Something that was changed while time went on, as recordings and saved states hold it."""
+
+    tick: int  # after which it was done
+    command: dict  # sim.stage.commands, as plain values
+
+
 class Cast:
     """Characters, standing at first. A subclass lets them move: `tick`."""
 
-    def __init__(self, world: World, characters: Sequence[Biped], seed: int, tick_rate: int, **capacity: int) -> None:
+    def __init__(self, world: World, characters: Sequence[Character], seed: int, tick_rate: int, **capacity: int) -> None:
         start_threads()
         self.world, self.characters = world, list(characters)
         self.seed, self.tick_rate, self.ticks = int(seed), tick_rate, 0
-        self.bipeds, kind = _biped_table(self.characters)
+        self.kinds, kind = kinds_of(self.characters)
+        self.bipeds = table_of(self.kinds)
         self.crowd = crowds.empty_crowd(kind, **capacity)
         self.footprints = FootprintLog()
+        self.changes: list[Change] = []
+        self.first_world, self.first_characters = world, list(characters)
 
     @property
     def time(self) -> float:
@@ -53,7 +66,7 @@ class Cast:
         """
         rows = np.arange(len(self.characters)) if rows is None else rows
         pose = empty_pose(len(rows))
-        crowds.pose_all(self.crowd, self.bipeds, self.moment(time), rows, pose)
+        pose_all(self.crowd, self.bipeds, self.moment(time), rows, pose)
         return pose
 
     def com(self, time: float | None = None) -> np.ndarray:
@@ -62,53 +75,81 @@ class Cast:
         crowds.com_all(self.crowd, self.moment(time), com)
         return com
 
-    def set_world(self, world: World) -> None:
-        """Another state of the same world."""
-        self.world = world
+    @property
+    def kind(self) -> np.ndarray:
+        """(C,) which of the `kinds` each character is."""
+        return self.crowd.kind.copy()
 
-    def standing_on(self) -> np.ndarray:
-        """(C, 2, 5): side, x, y, heading, rock of each character's last two footprints."""
-        c, rows = self.crowd, np.arange(len(self.characters))
-        picks = [(rows, c.real - 2), (rows, c.real - 1)]
-        return np.stack([np.column_stack([c.side[p], c.position[p][:, :2], c.heading[p], c.rock[p]]) for p in picks], axis=1)
+    def leg(self, character: int) -> float:
+        """Nominal leg length of a character [m]: the unit in which it is drawn."""
+        return float(self.bipeds["leg"]["nominal_length"][self.crowd.kind[character]])
+
+    def feet(self) -> Footprints:
+        """(C, 2) the last two footprints of each character, the older first."""
+        last = self.crowd.real[:, None] - np.array([[2, 1]])
+        return picked(self.crowd.footprints, (np.arange(len(self.characters))[:, None], last))
 
     @property
     def reached_goal(self) -> np.ndarray:
         """(C,) bool: both feet within the goal's radius and a step of it, standing."""
         if self.world.goal is None:
             return np.zeros(len(self.characters), bool)
-        feet = self.standing_on()[:, :, 1:3]
-        near = np.linalg.norm(feet - np.array(self.world.goal), axis=2).max(axis=1)
-        return (near <= self.world.goal_radius + self.bipeds["step_width"][self.crowd.kind]) & self.crowd.standing
+        near = np.linalg.norm(self.feet().position[:, :, :2] - np.array(self.world.goal), axis=2).max(axis=1)
+        return (near <= self.world.goal_radius + self.bipeds["gait"]["step_width"][self.crowd.kind]) & self.crowd.standing
 
-    def track(self, character: int) -> Track:
+    def track(self, character: int) -> Footprints:
         """The character's recent footprints, the newest last."""
-        return crowds.copied_track(self.crowd, character, int(self.crowd.real[character]))
+        return copied(picked(self.crowd.footprints, (character, slice(0, int(self.crowd.real[character])))))
 
-    def curve(self, character: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Committed curve over the last steps: time (m + 1,), control (m + 1, 6), support (m, 2)."""
-        m, c = int(self.crowd.curve_count[character]), self.crowd
-        return (
-            c.curve_time[character, : m + 1].copy(),
-            c.control[character, : m + 1].copy(),
-            c.support[character, :m].copy(),
-        )
+    def curve(self, character: int) -> Curve:
+        """The committed curve over the last steps."""
+        return copied(picked(self.crowd.committed, (character, slice(0, int(self.crowd.segments[character]) + 1))))
+
+    def effort_of(self, character: int) -> tuple[float, int]:
+        """(E, iterations) of the last window that was solved for a character."""
+        cost, iterations = self.crowd.window_cost[character]
+        return float(cost), int(iterations)
+
+    @property
+    def steps_planned(self) -> np.ndarray:
+        """(C,) number of each character's newest footprint: it grows by one with every plan."""
+        return self.crowd.number.copy()
+
+    def placed_since(self, seen: np.ndarray) -> Walked | None:
+        """The footprints placed since `steps_planned` was that; None where some are forgotten: ask for `walked`."""
+        return placed_since(self.crowd, seen)
+
+    def walked(self) -> Walked:
+        """The footprints that are known: the latest, or all where they are kept."""
+        return self.footprints.walked(self.crowd)
+
+    def keep_footprints(self) -> None:
+        """From now on no footprint is forgotten."""
+        self.footprints.keep(self.crowd)
 
     def stand(self, c: int, side: int, places: np.ndarray) -> None:
-        """Lets character c stand on places (2, 3) x, y, heading, the second with foot `side`."""
-        w, b = self.world.arrays, self.bipeds[self.crowd.kind[c]]
-        positions, normals, rocks = np.zeros((2, 3)), np.zeros((2, 3)), np.zeros(2, np.int64)
-        for i, (x, y, heading) in enumerate(places):
-            rocks[i] = rock_under(w, x, y, placing.EDGE)
-            positions[i, 2], *normals[i] = placing.lay_sole(b, w, x, y, heading, rocks[i])
-            positions[i, :2] = x, y
-        crowds.stand(self.crowd, self.bipeds, c, 0.0, side, positions, places[:, 2].copy(), normals, rocks)
+        """Lets character c stand, from now on, on places (2, 3) x, y, heading, the second with foot `side`."""
+        crowds.stand(self.crowd, self.bipeds, self.world.arrays, c, side, places, self.time)
 
 
-def _biped_table(characters: list[Biped]) -> tuple[np.recarray, np.ndarray]:
-    """One record per kind of character, and each character's row in it."""
-    names = sorted({character.name for character in characters})
-    table = np.zeros(len(names), BIPED).view(np.recarray)
+def kinds_of(characters: Sequence[Character]) -> tuple[list[Character], np.ndarray]:
+    """The different ones of these characters, by what they are and not by name alone, and which of them each one is."""
+    kinds: dict[tuple, int] = {}
+    found: list[Character] = []
     for character in characters:
-        table[names.index(character.name)] = character.record
-    return table, np.array([names.index(character.name) for character in characters])
+        key = (character.name, character.biped.tobytes(), character.look)  # type: ignore[attr-defined]
+        if key not in kinds:
+            kinds[key] = len(found)
+            found.append(character)
+    order = sorted(range(len(found)), key=lambda k: found[k].name)
+    rank = {k: place for place, k in enumerate(order)}
+    which = [rank[kinds[(c.name, c.biped.tobytes(), c.look)]] for c in characters]  # type: ignore[attr-defined]
+    return [found[k] for k in order], np.array(which, np.int64)
+
+
+def table_of(kinds: list[Character]) -> np.recarray:
+    """The dimensions of each kind, for kernels."""
+    table = empty_bipeds(len(kinds))
+    for k, kind in enumerate(kinds):
+        table[k] = kind.biped
+    return table

@@ -1,31 +1,27 @@
-"""A headless run: ticks, a progress bar, a recording, a summary."""
+"""A headless run: ticks, a progress bar, a summary."""
 
 import sys
+from collections.abc import Callable
 
 import numpy as np
 
-from sim.files.recording import Recorder
 from sim.stage.cast import Cast
 
 STANDS_STILL = 2.0
 """A run to a goal ends this long [s] after everyone has reached it."""
 
 
-def run(sim: Cast, seconds: float, recorder: Recorder | None, each_frame=None, quiet: bool = False) -> dict:
+def run(sim: Cast, seconds: float, *after_tick: Callable[[], None], quiet: bool = False) -> dict:
     """Ticks for `seconds` of simulated time, or until all reached their goal; returns the summary.
 
-    each_frame, if given, is called after every tick. The bar goes to stderr.
+    Each of after_tick is called after every tick. The bar goes to stderr.
     """
     watch = _Watch(sim)
     ticks = int(round(seconds * sim.tick_rate)) - sim.ticks
-    if recorder:
-        recorder.capture()
     for k in range(ticks):
         sim.tick()
-        if recorder:
-            recorder.capture()
-        if each_frame:
-            each_frame()
+        for look in after_tick:
+            look()
         watch.look()
         if not quiet and (k % 30 == 0 or k == ticks - 1):
             _bar((k + 1) / ticks)

@@ -5,18 +5,21 @@ step n - 1 committed. Poses are asked for, at any time that is committed; asking
 """
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from motion.characters.biped import Biped
+from motion.characters.character import Character
 from motion.com import newton
-from planner.crowd.reservations import empty_reservations
-from planner.plan import Plans
-from planner.stepping import strides
+from motion.track.footprints import LEFT, RIGHT
+from planner.planner import Planner, Situation
+from planner.round.memory import as_memory
+from planner.round.reservations import empty_reservations
+from planner.round.round import Round
+from planner.stepping.beside import beside
 from sim.rows import rounds
 from sim.rows.crowd import Crowd
-from sim.stage.cast import TICK_RATE, Cast
+from sim.stage.cast import TICK_RATE, Cast, Change, kinds_of, table_of
 from worlds.world import World
 
 
@@ -25,39 +28,46 @@ class State(NamedTuple):
 
     ticks: int
     crowd: Crowd
-    plans: Plans
+    plans: Any
 
 
 class Simulation(Cast):
-    """Characters that plan as they go. `planner` gives plans (planner.wandering.Wander, planner.river.rock_hop.RockHop, ...).
+    """Characters that plan as they go: `planner` says where (planner.planner.Planner).
 
-    Where a `state` is given, it goes on from that; else everyone stands at the planner's starts.
+    Where a `state` is given, it goes on from that; else everyone stands at the planner's starts. Whatever is to be changed
+    while it runs is a command (sim.stage.commands), for `apply`.
     """
 
     def __init__(
-        self, world: World, characters: Sequence[Biped], planner, seed: int = 0, tick_rate: int = TICK_RATE,
+        self, world: World, characters: Sequence[Character], planner: Planner, seed: int = 0, tick_rate: int = TICK_RATE,
         state: State | None = None,
     ) -> None:  # fmt: skip
         super().__init__(world, characters, seed, tick_rate)
+        self._round: Round
         self.planner, self.effort = planner, newton.LIVE
         self._placed = np.zeros(len(self.characters), np.int64)
         if state is None:
             self._begin()
         else:
-            self.ticks, self.crowd, self.plans = state
-        self.reservations = empty_reservations(self.bipeds, self.crowd.kind, world.size)
-        rounds.publish_all(self.crowd, self.bipeds, self.reservations, np.arange(len(self.characters)))
+            self.ticks, self.crowd, plans = state
+            self._use(plans)
+        self._publish_anew()
         if state is None:
             self._plan()
 
     def _begin(self) -> None:
-        world, planner = self.world, self.planner
-        for c, (x, y, heading) in enumerate(planner.starts(world, self.characters, self.seed)):
-            b = self.characters[c].record
-            self.stand(c, 0, np.array([strides.beside(b, side, (x, y), heading)[1:] for side in (1, 0)]))
+        for c, (x, y, heading) in enumerate(self.planner.starts(self.world, self.characters, self.seed)):
+            self.stand_beside(c, (float(x), float(y)), float(heading))
         # Footprint 2 is the right foot standing on: plans begin at footprint 3, when the left one is the older.
-        begin = np.full(len(self.characters), 3)
-        self.plans = planner.prepare(world, self.characters, self.standing_on()[:, ::-1], begin, self.seed)
+        feet = self.feet()
+        swapped = type(feet)(*(column[:, ::-1] for column in feet))
+        number = np.full(len(self.characters), 3)
+        self._use(self.planner.prepare(Situation(self.world, self.characters, swapped, number, self.seed)))
+
+    def stand_beside(self, c: int, middle: tuple[float, float], heading: float) -> None:
+        """Lets character c stand, from now on, with its feet to either side of a place [m, rad]."""
+        biped = self.characters[c].biped
+        self.stand(c, LEFT, np.array([(*beside(biped, side, middle, heading), heading) for side in (RIGHT, LEFT)]))
 
     def tick(self) -> None:
         """One tick: whoever runs out of committed motion within it plans a step."""
@@ -65,19 +75,58 @@ class Simulation(Cast):
         self._plan()
 
     def _plan(self) -> None:
-        until = self.time + 1e-9
-        rounds.advance_all(
-            rounds.compiled_parts(), self.crowd, self.bipeds, self.world.arrays, self.plans, self.reservations, self.seed,
-            self.effort, until, self._placed,
-        )  # fmt: skip
+        """Rounds until nobody runs out of motion. Raises what a planner in plain Python has raised."""
+        rounds.advance_all(rounds.compiled_parts(), self.work(), self.time + 1e-9, self._placed)
         if self._placed.any():
             self.footprints.add(self.crowd, self._placed)
+        self.planner.planning.check()
 
-    def set_world(self, world: World) -> None:
-        """Another state of the same world: every character's next footprint takes it into account."""
-        super().set_world(world)
-        self.plans = self.planner.prepare(world, self.characters, self.standing_on(), self.crowd.number + 1, self.seed)
+    def work(self) -> rounds.Work:
+        """What rounds work on."""
+        planner = self.planner.planning.lent(self._round._replace(plans=self.plans))
+        return rounds.Work(self.crowd, self._round, self.effort, planner)
 
-    def set_goal(self, x: float, y: float) -> None:
-        """Another goal, for planners that have one."""
-        self.set_world(self.world.with_goal(x, y))
+    def situation(self, world: World) -> Situation:
+        """What the planner prepares from, in a world."""
+        return Situation(world, self.characters, self.feet(), self.crowd.number + 1, self.seed, self.plans)
+
+    def change(self, world: World, plans: Any) -> None:
+        """Another state of the same world, and the plans that the planner has made for it: taken together, at once."""
+        self.world = world
+        self._use(plans)
+        self._round = self._round._replace(world=world.arrays, plans=self._plans_at)
+
+    def recast(self, c: int, character: Character) -> None:
+        """Character c becomes another one, which stands from now on where its feet are."""
+        self.footprints.close(self.crowd, c)
+        feet, number = self.feet(), int(self.crowd.number[c])
+        middle = feet.position[c, :, :2].mean(axis=0)
+        self.characters[c] = character
+        self.kinds, self.crowd.kind[:] = kinds_of(self.characters)
+        self.bipeds = table_of(self.kinds)
+        self.stand_beside(c, (float(middle[0]), float(middle[1])), float(feet.heading[c, 1]))
+        self.crowd.number[c] = number
+        self.crowd.intents.aim[c], self.crowd.intents.claim[c], self.crowd.intents.hindered[c] = 0.0, 0.0, 0
+        self._publish_anew()
+
+    def log(self, command: dict) -> None:
+        """Remembers what was changed, and when."""
+        self.changes.append(Change(self.ticks, command))
+
+    def _use(self, plans: Any) -> None:
+        self.plans = plans
+        self._plans_held = None if plans is None else as_memory(plans)
+        self._plans_at = 0 if self._plans_held is None else self._plans_held.ctypes.data
+
+    def _publish_anew(self) -> None:
+        """Everyone shows what it holds: reservations follow from the rows."""
+        reservations = empty_reservations(self.bipeds, self.crowd.kind, self.world.size)
+        self._round = Round(
+            self.crowd.kind, self.bipeds, self.world.arrays, self._plans_at, reservations, self.crowd.intents, self.seed
+        )
+        rounds.publish_all(self.crowd, self._round, np.arange(len(self.characters)))
+
+    @property
+    def reservations(self) -> Any:
+        """What all have shown to the others."""
+        return self._round.reservations

@@ -16,8 +16,8 @@ from pathlib import Path
 import numpy as np
 
 from planner.script.scene import load_scene, scene_names
-from sim.cli.commands import make_simulation
 from sim.stage.cast import Cast
+from sim.stage.making import make_simulation
 from sim.stage.performance import Performance
 from tests.crowds import streams
 
@@ -46,7 +46,7 @@ RUNS: dict[str, Callable[[], Iterator[Cast]]] = {
 
 def _ticks(sim: Cast, seconds: float) -> Iterator[Cast]:
     """The run before its first tick and after each one, until it is over."""
-    sim.footprints.keep(sim.crowd)
+    sim.keep_footprints()
     yield sim
     while sim.time < seconds and not sim.over:
         sim.tick()

@@ -8,8 +8,8 @@ import os
 
 import pytest
 
-from motion.characters.biped import character_names
-from sim.cli.commands import make_simulation
+from motion.characters.character import character_names
+from sim.stage.making import make_simulation
 from sim.view.graphics import gl
 
 

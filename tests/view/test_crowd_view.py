@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from motion.characters.biped import load_biped
-from planner.wandering import Wander
+from motion.characters.character import load_character
+from planner.modes.wander import Wander
 from sim.stage.simulation import Simulation
 from sim.view.bodies import bodies
 from sim.view.bodies.clay import Clay
+from sim.view.bodies.dress import COLOURS, colours_of
 from sim.view.graphics import detail, gl, shaders
 from sim.view.graphics.camera import Camera
 from sim.view.scenery.trail import Trail
@@ -31,7 +32,7 @@ def picture():
 
 @pytest.fixture(scope="module")
 def sim():
-    made = Simulation(load_level("forest"), [load_biped(KINDS[c % 3]) for c in range(60)], Wander(), 3)
+    made = Simulation(load_level("forest"), [load_character(KINDS[c % 3]) for c in range(60)], Wander(), 3)
     for _ in range(200):
         made.tick()
     return made
@@ -77,13 +78,13 @@ def test_only_who_is_seen_is_modelled(sim):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_level_shows_the_whole_body_in_fewer_shapes(kind):
-    alone = Simulation(load_level("forest"), [load_biped(kind)], Wander(), 3)
+    alone = Simulation(load_level("forest"), [load_character(kind)], Wander(), 3)
     for _ in range(200):
         alone.tick()
     shown, low, high, counts = bodies.Bodies(), [], [], []
     view = Camera(target=alone.com()[0].copy(), distance=8.0).matrix(1.6)
     for level, wanted in enumerate((200.0, 80.0, 30.0, 8.0)):
-        at_one = detail.pixels(view, alone.com(), np.full(1, 1.9 * alone.bipeds["nominal_length"][0]), 1)[0]
+        at_one = detail.pixels(view, alone.com(), np.full(1, 1.9 * alone.leg(0)), 1)[0]
         shown.model(alone, alone.time, view, int(wanted / at_one))
         assert shown.levels.tolist() == np.eye(4)[level].tolist()
         rows = np.vstack([clay.rows() for clay in (shown.fine, shown.coarse, shown.flat)])
@@ -100,8 +101,8 @@ def test_every_level_shows_the_whole_body_in_fewer_shapes(kind):
 def test_footprints_as_instances_are_the_old_triangles(picture, sim):
     trail = Trail()
     trail.look(sim)
-    for kind, biped in enumerate(bodies.kinds_of(sim)):
-        outline = bodies.outline(biped)
+    for kind, character in enumerate(sim.kinds):
+        outline = bodies.outline(character)
         rows = trail.rows[kind][: trail.count[kind]][:7]
         rows[:, 4] += 0.2
         rows[:, 4:7] /= np.linalg.norm(rows[:, 4:7], axis=1, keepdims=True)
@@ -117,9 +118,9 @@ def test_footprints_as_instances_are_the_old_triangles(picture, sim):
 
 
 def test_the_trail_takes_each_footprint_once():
-    made = Simulation(load_level("forest"), [load_biped("human"), load_biped("bird")], Wander(), 5)
+    made = Simulation(load_level("forest"), [load_character("human"), load_character("bird")], Wander(), 5)
     trail, late = Trail(), Trail(most=16)
-    made.footprints.keep(made.crowd)
+    made.keep_footprints()
     trail.look(made), late.look(made)
     for tick in range(900):
         made.tick()
@@ -129,7 +130,7 @@ def test_the_trail_takes_each_footprint_once():
             late.look(made)  # so late that the crowd has forgotten some
     log = made.footprints.arrays(made.crowd)
     for kind in range(2):
-        mine = made.crowd.kind[log["footprint_character"]] == kind
+        mine = made.kind[log["footprint_character"]] == kind
         wanted = np.column_stack([log["footprint_position"][mine], log["footprint_contact_time"][mine]])
         rows = trail.rows[kind][: trail.count[kind]][:, [0, 1, 2, 7]]
         assert rows[np.argsort(rows[:, 3])] == pytest.approx(wanted[np.argsort(wanted[:, 3])], abs=1e-4)
@@ -160,13 +161,13 @@ def test_a_tree_planted_leaves_the_others_alone(picture, sim):
 
 
 def test_the_first_wears_its_files_colours_and_the_others_do_not():
-    biped = load_biped("human")
-    colours = bodies._colours([biped] * 50, 3)
-    for key in bodies.COLOURS:
-        assert colours[key][0] == pytest.approx(biped.body[key]) and colours[key].shape == (50, 3)
+    human = load_character("human")
+    colours = colours_of([human] * 50, 3)
+    for key in COLOURS:
+        assert colours[key][0] == pytest.approx(getattr(human.look, key)) and colours[key].shape == (50, 3)
         assert len(np.unique(colours[key].round(6), axis=0)) == 50 and (colours[key] >= 0).all()
-    assert colours["main"].argmax(axis=1).tolist() != [int(np.argmax(biped.body["main"]))] * 50
-    assert (colours["main"] == bodies._colours([biped] * 50, 3)["main"]).all()
+    assert colours["main"].argmax(axis=1).tolist() != [int(np.argmax(human.look.main))] * 50
+    assert (colours["main"] == colours_of([human] * 50, 3)["main"]).all()
 
 
 def test_clay_leaves_out_what_is_too_small():

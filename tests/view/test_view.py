@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sim.cli.commands import make_simulation
+from sim.stage.making import make_simulation
 from sim.view.graphics import gl
 from sim.view.graphics.camera import Camera
 from sim.view.window import picking
@@ -29,7 +29,7 @@ def test_a_picture_shows_the_character(picture, character):
     picture.renderer.show_overlays = False
     shown = picture.frame(sim).astype(int)
     assert shown.shape == (180, 320, 3) and shown.std() > 20
-    main = np.array(sim.characters[0].body["main"])
+    main = np.array(sim.characters[0].look.main)
     middle = shown[40:140, 120:200].reshape(-1, 3)
     hue = middle / np.maximum(middle.sum(axis=1, keepdims=True), 1)
     assert (np.abs(hue - main / main.sum()).sum(axis=1) < 0.12).mean() > 0.01

@@ -12,7 +12,9 @@ from typing import Any
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.typing.templates import AbstractTemplate, infer_global, signature
-from numba.extending import intrinsic, lower_builtin, models, register_model
+from numba.extending import lower_builtin, models, register_model
+
+from worlds.compiled.jit import intrinsic
 
 LANES = 4
 """Doubles in a register of today's common machines; wider ones gain little, as segments come in tens."""

@@ -4,28 +4,32 @@ The compiler takes whatever a kernel calls into it and works on all of it once m
 it uses apart. Here the crowd's loop knows of the planning and the optimising of a step no more than where they lie.
 """
 
+from collections.abc import Callable
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numba
 from llvmlite import ir
 from numba.core import cgutils, types
-from numba.extending import intrinsic
 
-from worlds.compiled.jit import BORROWING
+from worlds.compiled.jit import BORROWING, intrinsic
 
 
 class Part:
-    """A kernel f(address, number) that is compiled by itself, and called by where it lies."""
+    """A kernel of so many numbers (int64) that is compiled by itself, and called by where it lies."""
 
-    def __init__(self, kernel: Any) -> None:
-        self.kernel = kernel
+    def __init__(self, kernel: Callable, numbers: int = 2) -> None:
+        self.kernel, self.numbers = kernel, numbers
 
     @cached_property
     def address(self) -> int:
         """Where it lies; compiled, or loaded from the cache, the first time that one asks."""
         options = {name: value for name, value in BORROWING.items() if name != "nogil"}
-        self._kept_alive = numba.cfunc(types.void(types.int64, types.int64), **options)(self.kernel)  # type: ignore[arg-type]
+        signature = types.void(*[types.int64] * self.numbers)
+        try:
+            self._kept_alive = numba.cfunc(signature, **options)(self.kernel)  # type: ignore[arg-type]
+        except RuntimeError:  # no file to keep it beside: typed in at a prompt
+            self._kept_alive = numba.cfunc(signature, **(options | {"cache": False}))(self.kernel)  # type: ignore[arg-type]
         return self._kept_alive.address or 0
 
     def compile(self, signature: tuple = ()) -> int:
@@ -33,17 +37,32 @@ class Part:
         return self.address
 
 
+def _call(builder, arguments):
+    """Calls what lies at the first of the arguments with the others."""
+    kind = ir.FunctionType(ir.VoidType(), [ir.IntType(64)] * (len(arguments) - 1))
+    builder.call(builder.inttoptr(arguments[0], kind.as_pointer()), arguments[1:])
+
+
 @intrinsic
-def call(_, part, address, number):
-    """Calls the Part that lies at `part`."""
+def call(_, part, first, second):
+    """Calls the Part of two numbers that lies at `part`."""
 
     def codegen(context, builder, signature, arguments):
-        one = ir.IntType(64)
-        kind = ir.FunctionType(ir.VoidType(), [one, one])
-        builder.call(builder.inttoptr(arguments[0], kind.as_pointer()), arguments[1:])
+        _call(builder, arguments)
         return context.get_dummy_value()
 
     return types.none(types.int64, types.int64, types.int64), codegen
+
+
+@intrinsic
+def call_three(_, part, first, second, third):
+    """Calls the Part of three numbers that lies at `part`."""
+
+    def codegen(context, builder, signature, arguments):
+        _call(builder, arguments)
+        return context.get_dummy_value()
+
+    return types.none(types.int64, types.int64, types.int64, types.int64), codegen
 
 
 @intrinsic
@@ -74,11 +93,16 @@ def fetch(_, array, index):
     return types.none(array, index), codegen
 
 
-def handle(sample: Any) -> tuple[Any, Any]:
-    """(lend, opened) for values of the type of `sample`, a tuple of tuples of arrays.
+class Handle(NamedTuple):
+    """How values of one type are handed on by their address."""
 
-    lend(value) is an address, opened(address) the value again, good while the kernel that has lent it runs.
-    """
+    lend: Callable[..., Any]  # lend(value) is an address, good while the kernel that has lent it runs
+    opened: Callable[..., Any]  # opened(address) is the value again
+    put: Callable[..., Any]  # put(address, value) writes another one there
+
+
+def handle(sample: Any) -> Handle:
+    """The Handle of values of the type of `sample`, a tuple of numbers, arrays and tuples of them."""
     kind = numba.typeof(sample)
 
     @intrinsic
@@ -98,4 +122,13 @@ def handle(sample: Any) -> tuple[Any, Any]:
 
         return kind(types.int64), codegen
 
-    return lend, opened
+    @intrinsic
+    def put(_, address, value):
+        def codegen(context, builder, signature, arguments):
+            place = builder.inttoptr(arguments[0], context.get_data_type(kind).as_pointer())
+            builder.store(context.data_model_manager[kind].as_data(builder, arguments[1]), place)
+            return context.get_dummy_value()
+
+        return types.none(types.int64, kind), codegen
+
+    return Handle(lend, opened, put)

@@ -2,7 +2,11 @@
 
 import numpy as np
 
+from motion.arithmetic.rotations import axes_of
+
 COLUMNS = 12
+Colour = np.ndarray | tuple[float, float, float]
+"""Red, green, blue in 0..1, (3,) or (C, 3)."""
 
 
 class Clay:
@@ -21,7 +25,7 @@ class Clay:
         """Begins a frame."""
         self._count, self.smallest, self.thin = 0, 0.0, 0.0
 
-    def add(self, a: np.ndarray, ra: float, b: np.ndarray, rb: float, colour, glow: float = 0.0) -> None:
+    def add(self, a: np.ndarray, ra: float, b: np.ndarray, rb: float, colour: Colour, glow: float = 0.0) -> None:
         """Capsules from a (C, 3) with radius ra to b (C, 3) with radius rb [m]."""
         if self.smallest and len(a) and float(np.linalg.norm(a[0] - b[0])) + ra + rb < self.smallest:
             return
@@ -36,11 +40,11 @@ class Clay:
         rows[:, 8:11], rows[:, 11] = colour, glow
         self._count = end
 
-    def ball(self, a: np.ndarray, radius: float, colour, glow: float = 0.0) -> None:
+    def ball(self, a: np.ndarray, radius: float, colour: Colour, glow: float = 0.0) -> None:
         """Spheres at a (C, 3)."""
         self.add(a, radius, a, radius, colour, glow)
 
-    def chain(self, points: list[np.ndarray], radii: list[float], colour) -> None:
+    def chain(self, points: list[np.ndarray], radii: list[float], colour: Colour) -> None:
         """Capsules through points, each (C, 3)."""
         for a, b, ra, rb in zip(points, points[1:], radii, radii[1:], strict=False):
             self.add(a, ra, b, rb, colour)
@@ -54,16 +58,13 @@ class Frame:
     """The bodies' frames: places given forward, left, up of the com in units of leg length become world points."""
 
     def __init__(self, com: np.ndarray, rotation_wxyz: np.ndarray, unit: float) -> None:
-        w, x, y, z = rotation_wxyz.T
-        self.forward = np.stack([1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)], axis=1)
-        self.left = np.stack([2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)], axis=1)
-        self.up = np.stack([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)], axis=1)
+        self.forward, self.left, self.up = axes_of(rotation_wxyz)
         self.com, self.unit = com, unit
 
-    def at(self, forward, left, up) -> np.ndarray:
+    def at(self, forward: float, left: float, up: float) -> np.ndarray:
         """World points (C, 3); arguments are numbers or (C,)."""
 
-        def column(v):
+        def column(v: float) -> np.ndarray:
             return np.reshape(v, (-1, 1)) * self.unit
 
         return self.com + column(forward) * self.forward + column(left) * self.left + column(up) * self.up

@@ -34,7 +34,7 @@ class Picture:
     def frame(self, sim: Cast, focus: int = 0, time: float | None = None) -> np.ndarray:
         """(height, width, 3) uint8 of a moment [s], by default now: a character, and of those around it a crowd."""
         time = sim.time if time is None else time
-        unit = float(sim.bipeds["nominal_length"][sim.crowd.kind[focus]])
+        unit = sim.leg(focus)
         self.camera.meet(sim.com(time), focus, self.distance * unit)
         self.camera.target -= (0, 0, 0.25 * unit)
         return self.shoot(sim, focus, time)
@@ -67,7 +67,7 @@ def render_image(sim: Cast, path: str | Path, size: tuple[int, int]) -> None:
     except NoGL as error:
         import sys
 
-        from sim.view.window.plan_view import plan_picture
+        from sim.view.pictures.plan_view import plan_picture
 
         print(error, file=sys.stderr)
         pixels = plan_picture(sim, size)

@@ -3,7 +3,8 @@
 import numpy as np
 
 from motion.track import phases
-from motion.track.spline import evaluate
+from motion.track.curve import evaluate
+from sim.palette import PHASES
 from sim.stage.cast import Cast
 from sim.view.bodies.clay import Clay
 
@@ -14,14 +15,15 @@ PIECES = 6
 
 def overlays(clay: Clay, sim: Cast, character: int) -> None:
     """Curve, tangents, handles and daggers of one character."""
-    time, control, support = sim.curve(character)
-    size = float(sim.bipeds["nominal_length"][sim.crowd.kind[character]])
-    for i, (left, right) in enumerate(support):
+    curve = sim.curve(character)
+    time, control = curve.time, curve.control
+    size = sim.leg(character)
+    for i, (left, right) in enumerate(curve.support[:-1]):
         ts = np.linspace(time[i], time[i + 1], PIECES + 1)
         points, scratch = np.empty((len(ts), 3)), np.empty((2, 3))
         for k, t in enumerate(ts):
-            evaluate(time, control, min(t, time[i + 1] - 1e-9), points[k], scratch[0], scratch[1])
-        colour = phases.COLOURS[phases.phase_of(left, right)]
+            evaluate(curve, min(t, time[i + 1] - 1e-9), points[k], scratch[0], scratch[1])
+        colour = PHASES[phases.phase_of(left, right)]
         clay.add(points[:-1], 0.011 * size, points[1:], 0.011 * size, colour, 1.0)
     if len(control):
         clay.ball(control[:, :3], 0.022 * size, TANGENT, 1.0)

@@ -3,6 +3,7 @@
 import moderngl
 import numpy as np
 
+from motion.characters.character import Character
 from sim.stage.cast import Cast
 from sim.view.bodies import bodies
 from sim.view.bodies.clay import Clay
@@ -56,7 +57,7 @@ class Renderer:
         self.shadow: moderngl.Texture | None = None
         self._shadow_target: moderngl.Framebuffer | None = None
         self._world: World | None = None
-        self._sim: Cast | None = None
+        self._kinds: list[Character] = []
         self._static: dict[str, Mesh] = {}
         self.show_overlays = True
 
@@ -103,7 +104,7 @@ class Renderer:
         lit = self._lit_programs()
         for program in (*lit.values(), self.sky):
             self._uniforms(program, view, sun, camera, time)
-        unit = float(sim.bipeds["nominal_length"][sim.crowd.kind[focus]])
+        unit = sim.leg(focus)
         _set(lit["tree"], "focus", np.array([*self._focus_com, 1.3 * unit], "f4").tobytes())
         for mesh in self._clay.values():
             self._draw_clay(lit["clay"], mesh, mesh)
@@ -133,11 +134,11 @@ class Renderer:
         self._footprints(sim)
 
     def _footprints(self, sim: Cast) -> None:
-        if self._sim is not sim:
-            self._sim = sim
+        if self._kinds is not sim.kinds:
+            self._kinds = sim.kinds
             for mesh in self._prints:
                 mesh.release()
-            shapes = [np.unique(bodies.outline(b).reshape(-1, 2), axis=0, return_inverse=True) for b in bodies.kinds_of(sim)]
+            shapes = [np.unique(bodies.outline(kind).reshape(-1, 2), axis=0, return_inverse=True) for kind in sim.kinds]
             self._prints = [Mesh(self.ctx, ("2f", "in_outline"), *shape, PRINT) for shape in shapes]
         for kind, at, rows in self._trail.look(sim):
             self._prints[kind].write(rows, at, keep=self._prints[kind].count)
@@ -171,7 +172,7 @@ class Renderer:
             self._draw_clay(self._depth["clay"], mesh, self._clay["flat"])
         self._draw_clay(self._depth["clay"], self._clay["fine"], self._clay["coarse"])
 
-    def _uniforms(self, program, view, sun, camera: Camera, time: float) -> None:
+    def _uniforms(self, program: moderngl.Program, view: np.ndarray, sun: np.ndarray, camera: Camera, time: float) -> None:
         _set(program, "view_projection", view.T.astype("f4").tobytes())
         _set(program, "sun_projection", sun.T.astype("f4").tobytes())
         _set(program, "back_projection", np.linalg.inv(view).T.astype("f4").tobytes())
@@ -182,16 +183,17 @@ class Renderer:
         if self.shadow:
             self.shadow.use(0)
 
-    def _draw_static(self, name: str, program) -> None:
+    def _draw_static(self, name: str, program: moderngl.Program) -> None:
         if name in self._static:
             self._static[name].draw(program)
 
-    def _draw_clay(self, program, mesh: Mesh, shape: Mesh) -> None:
+    def _draw_clay(self, program: moderngl.Program, mesh: Mesh, shape: Mesh) -> None:
         """Draws a mesh's rows as that shape."""
         _set(program, "flat_shapes", np.float32(shape is self._clay["flat"]).tobytes())
         mesh.draw(program, shape)
 
 
-def _set(program, name: str, value: bytes) -> None:
-    if name in program:
-        program[name].write(value)
+def _set(program: moderngl.Program, name: str, value: bytes) -> None:
+    uniform = program.get(name, None)
+    if isinstance(uniform, moderngl.Uniform):
+        uniform.write(value)

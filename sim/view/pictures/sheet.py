@@ -1,8 +1,11 @@
 """Contact sheets: moments of a run from the side, the front and above, in one picture."""
 
+from pathlib import Path
+
 import numpy as np
 from PIL import Image, ImageDraw
 
+from motion.arithmetic.rotations import yaw_of
 from planner.script.scene import load_scene, scene_names
 from sim.stage.performance import Performance
 from sim.view.graphics.quality import Quality
@@ -29,15 +32,13 @@ def contact_sheet(picture: Picture, scene: Performance, begin: float = 0.0, end:
 
 
 def _moment(picture: Picture, scene: Performance, t: float, azimuth: float, elevation: float) -> np.ndarray:
-    pose = scene.snapshot(t)
-    w, x, y, z = pose.body_rotation_wxyz[0]
     camera = picture.camera
-    camera.azimuth = azimuth + float(np.arctan2(2 * (x * y + w * z), 1 - 2 * (y * y + z * z)))
+    camera.azimuth = azimuth + float(yaw_of(scene.snapshot(t).body_rotation_wxyz[0]))
     camera.elevation = elevation
     return picture.frame(scene, time=t)
 
 
-def write_sheets(scenes: dict[str, Performance], folder) -> list[str]:
+def write_sheets(scenes: dict[str, Performance], folder: Path) -> list[str]:
     """A sheet per scene as folder/NAME.jpg; returns the paths. Raises NoGL, InputError."""
     picture = Picture(CELL, Quality(1024, 4, 4, 1.0))
     picture.distance = 3.6
@@ -49,7 +50,7 @@ def write_sheets(scenes: dict[str, Performance], folder) -> list[str]:
     return paths
 
 
-def write_index(folder) -> str:
+def write_index(folder: Path) -> str:
     """A page folder/README.md with the sheets of all scenes; returns its path."""
     lines = ["# Scenes", "", "Made by `python main.py sheets`; played by `python main.py play NAME`."]
     for name in scene_names():

@@ -107,7 +107,7 @@ def spiral_stairs(world: World) -> tuple[np.ndarray, np.ndarray]:
     floor = np.array([[(low, low, 0.0), (high, low, 0.0)], [(low, high, 0.0), (high, high, 0.0)]])
     parts = [_triangles(quads(floor).reshape(-1, 3), STONE)]
 
-    def panel(angles, low, high) -> None:
+    def panel(angles: np.ndarray, low: tuple[float, float], high: tuple[float, float]) -> None:
         """A strip from the line (radius, height) low to high, over the angles; seen from where low is right of high."""
         rows = [[(x + r * np.cos(a), y + r * np.sin(a), z) for a in angles] for r, z in (low, high)]
         parts.append(_triangles(quads(np.array(rows)).reshape(-1, 3), STONE * (1.15 if low[1] == high[1] else 0.95)))
@@ -146,7 +146,7 @@ def rocks(world: World) -> np.ndarray:
     return np.vstack(parts).astype("f4") if parts else np.zeros((0, 9), "f4")
 
 
-def blob(centre, size: float, rng, fine: bool = True) -> np.ndarray:
+def blob(centre: object, size: float, rng: np.random.Generator, fine: bool = True) -> np.ndarray:
     """(K, 3) triangles of a lump, irregular by chance, flatter than a ball."""
     rings, sides = (5, 7) if fine else (4, 5)
     latitudes, around = np.linspace(-np.pi / 2, np.pi / 2, rings), np.linspace(0, 2 * np.pi, sides + 1) + rng.uniform(0, 1)

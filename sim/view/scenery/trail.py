@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from motion.characters.character import Character
+from motion.track.footprints import Footprints
 from sim.stage.cast import Cast
 
 MOST = 4096
@@ -19,36 +21,26 @@ class Trail:
         self.count: list[int] = []
         self._next: list[int] = []
         self._seen = np.zeros(0, np.int64)
-        self._sim: Cast | None = None
+        self._kinds: list[Character] = []
 
     def look(self, sim: Cast) -> list[tuple[int, int, np.ndarray]]:
         """What is new since the last look: (kind, place in its ring, rows) each."""
-        if self._sim is not sim:
+        if self._kinds is not sim.kinds:
             return self._begin(sim)
-        crowd, new = sim.crowd, sim.crowd.number - self._seen
-        most = int(new.max())
-        if most == 0:
-            return []
-        if most > int(crowd.real.min()):
-            return self._begin(sim)  # so many that the crowd has forgotten some
-        found = []
-        for back in range(most - 1, -1, -1):
-            who = np.flatnonzero(new > back)
-            row = crowd.real[who] - 1 - back
-            moved = ~crowd.stands[who, row]
-            who, row = who[moved], row[moved]
-            found.append((crowd.kind[who], _rows(*(getattr(crowd, key)[who, row] for key in KEYS))))
-        self._seen = crowd.number.copy()
-        return self._add(np.concatenate([kind for kind, _ in found]), np.concatenate([rows for _, rows in found]))
+        new = sim.placed_since(self._seen)
+        if new is None:
+            return self._begin(sim)
+        self._seen = sim.steps_planned
+        return self._add(sim.kind[new.character], _rows(new.footprints))
 
     def _begin(self, sim: Cast) -> list[tuple[int, int, np.ndarray]]:
-        self._sim, self._seen = sim, sim.crowd.number.copy()
-        kinds = int(sim.crowd.kind.max()) + 1
+        self._kinds, self._seen = sim.kinds, sim.steps_planned
+        kinds = len(sim.kinds)
         self.rows = [np.zeros((self.most, COLUMNS), "f4") for _ in range(kinds)]
         self.count = [0] * kinds
         self._next = [0] * kinds
-        log = sim.footprints.arrays(sim.crowd)
-        return self._add(sim.crowd.kind[log["footprint_character"]], _rows(*(log[f"footprint_{key}"] for key in KEYS)))
+        known = sim.walked()
+        return self._add(sim.kind[known.character], _rows(known.footprints))
 
     def _add(self, kind: np.ndarray, rows: np.ndarray) -> list[tuple[int, int, np.ndarray]]:
         pieces = []
@@ -64,8 +56,6 @@ class Trail:
         return pieces
 
 
-KEYS = ("position", "heading", "normal", "contact_time")
-
-
-def _rows(position: np.ndarray, heading: np.ndarray, normal: np.ndarray, contact: np.ndarray) -> np.ndarray:
-    return np.column_stack([position, heading, normal, contact]).astype("f4")
+def _rows(footprints: Footprints) -> np.ndarray:
+    place = (footprints.position, footprints.heading, footprints.normal, footprints.contact_time)
+    return np.column_stack(place).astype("f4")

@@ -1,11 +1,16 @@
 """What the window shows, and what keys and mouse do to it: no GL, no pygame."""
 
 import time as clock
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
-from motion.characters.biped import character_names
+from motion.characters.character import character_names
+from planner.planner import NoWay
 from sim.stage.cast import Cast
+from sim.stage.commands import apply
+from sim.stage.simulation import Simulation
 from sim.view.graphics.camera import Camera
 from sim.view.window import picking
 from worlds.errors import InputError
@@ -36,7 +41,7 @@ def tick_for(sim: Cast, ticks: int, seconds: float = TICKING) -> int:
 class App:
     """What the window shows and what keys and mouse do to it. Owns no GL: `screen` draws it."""
 
-    def __init__(self, make, sim: Cast, options, levels: list[str]) -> None:
+    def __init__(self, make: Callable[..., Cast], sim: Cast, options: Any, levels: list[str]) -> None:
         self.make, self.sim, self.levels = make, sim, levels
         self.level, self.character, self.seed = options.level, options.character, options.seed
         self.camera = Camera()
@@ -57,7 +62,7 @@ class App:
 
     def _unit(self) -> float:
         """Leg length of the character that is followed [m]."""
-        return float(self.sim.bipeds["nominal_length"][self.sim.crowd.kind[self.focus]])
+        return self.sim.leg(self.focus)
 
     def advance(self, seconds: float) -> None:
         """Lets wall time pass: whole ticks, at most MOST_TICKS."""
@@ -73,8 +78,6 @@ class App:
 
     def rebuild(self) -> None:
         """Starts over with the present level and character; says so where that cannot be, and keeps what runs."""
-        from planner.river.rock_hop import NoWay
-
         try:
             self.sim = self.make(self.level, self.character, self.seed)
         except (InputError, NoWay) as error:
@@ -178,15 +181,16 @@ class App:
                 self.follow(found)
 
     def edit(self, tool: str, x: float, y: float) -> None:
-        """g: goal, t: plant a tree, k: put a rock, x: remove the nearest tree or rock. Refuses what would trap someone."""
-        from planner.river.rock_hop import NoWay
-
-        before = self.sim.world
-        world, self.message = picking.edited(before, tool, x, y, self.sim.standing_on()[:, :, 1:3].reshape(-1, 2))
-        if world is before:
+        """g: goal, t: plant a tree, k: put a rock, x: remove the nearest tree or rock. Says what was refused, and why."""
+        if not isinstance(self.sim, Simulation):
+            self.message = "a scene is played as it is written"
+            return
+        command = picking.command_for(self.sim.world, tool, x, y)
+        if command is None:
+            self.message = "nothing to remove there"
             return
         try:
-            self.sim.set_world(world)
-        except NoWay as error:
+            apply(self.sim, command)
+            self.message = f"{command.name}: done"
+        except (InputError, NoWay) as error:
             self.message = str(error)
-            self.sim.world = before

@@ -1,9 +1,15 @@
 """The panel (imgui) and the live timing diagram."""
 
+from types import ModuleType
+from typing import Any
+
 from imgui_bundle import imgui
 from imgui_bundle.python_backends.opengl_backend_programmable import ProgrammablePipelineRenderer
 
-COLOURS = {0: (0.92, 0.18, 0.85, 1), 1: (0.90, 0.12, 0.12, 1)}
+from motion.track.phases import LEFT_STANCE, RIGHT_STANCE
+from sim.palette import PHASES
+from sim.view.window.app import App
+
 SPAN = 3.0
 """Seconds that the timing diagram shows."""
 
@@ -11,14 +17,14 @@ SPAN = 3.0
 class Panel:
     """Buttons for what keys do, figures of the moment, and who stands when."""
 
-    def __init__(self, pygame, size: tuple[int, int]) -> None:
+    def __init__(self, pygame: ModuleType, size: tuple[int, int]) -> None:
         self.pygame = pygame
         imgui.create_context()
         imgui.get_io().set_ini_filename("")
         imgui.get_io().display_size = imgui.ImVec2(*size)
         self.backend = ProgrammablePipelineRenderer()
 
-    def takes(self, event) -> bool:
+    def takes(self, event: Any) -> bool:
         """Hands a mouse event to imgui; true where the mouse is over the panel."""
         io, pg = imgui.get_io(), self.pygame
         if event.type == pg.MOUSEMOTION:
@@ -31,7 +37,7 @@ class Panel:
             return False
         return io.want_capture_mouse
 
-    def draw(self, app, size: tuple[int, int], rate: float) -> None:
+    def draw(self, app: App, size: tuple[int, int], rate: float) -> None:
         """Draws over the picture in the bound framebuffer."""
         io = imgui.get_io()
         io.display_size, io.delta_time = imgui.ImVec2(*size), 1 / max(rate, 1)
@@ -44,7 +50,7 @@ class Panel:
         imgui.render()
         self.backend.render(imgui.get_draw_data())
 
-    def _controls(self, app, rate: float) -> None:
+    def _controls(self, app: App, rate: float) -> None:
         imgui.set_next_window_pos((10, 10), imgui.Cond_.once)
         imgui.set_next_window_size((238, 0))
         imgui.begin("Footfall")
@@ -53,7 +59,7 @@ class Panel:
         imgui.text(f"{sim.time:6.2f} s   {rate:3.0f} frames/s")
         if len(sim.characters) > 1:
             imgui.text(f"character {app.focus + 1} of {len(sim.characters)}, {app.in_view} in view")
-        imgui.text(f"window {sim.crowd.window_cost[app.focus, 1]:.0f} iterations")
+        imgui.text(f"window {sim.effort_of(app.focus)[1]} iterations")
         if imgui.button("go" if app.paused else "pause"):
             app.key("space")
         for label, key in (("tick", "."), ("restart", "r"), ("level", "n")):
@@ -74,7 +80,7 @@ class Panel:
         imgui.text_disabled("h: help")
         imgui.end()
 
-    def _diagram(self, app, size: tuple[int, int]) -> None:
+    def _diagram(self, app: App, size: tuple[int, int]) -> None:
         """Stances as bars, LEFT above RIGHT, the present in the middle (paper, Fig. 12)."""
         flags = imgui.WindowFlags_.no_decoration | imgui.WindowFlags_.no_inputs
         width, height = size[0] - 20, 58
@@ -90,7 +96,7 @@ class Panel:
 
         for side, t, stance in zip(track.side, track.contact_time, track.stance_time, strict=True):
             top = y0 + 8 + 24 * float(side)
-            colour = imgui.color_convert_float4_to_u32(COLOURS[int(side)])
+            colour = imgui.color_convert_float4_to_u32((*PHASES[(LEFT_STANCE, RIGHT_STANCE)[int(side)]], 1.0))
             if at(t + stance) > at(t):
                 draw.add_rect_filled((at(t), top), (at(t + stance), top + 18), colour, 4.0)
         draw.add_line((at(now), y0), (at(now), y0 + height), imgui.color_convert_float4_to_u32((1, 1, 1, 0.9)), 2.0)

@@ -1,17 +1,14 @@
-"""From a click to a place on the ground, and from a place to another world."""
+"""From a click to a place on the ground, and from a place to a command."""
 
 import numpy as np
 
-from worlds.queries import border_clearance, terrain_height, tree_clearance, water_clearance
+from sim.stage.commands import Command, PlantTree, PutRock, Remove, SetGoal
+from worlds.queries import border_clearance, terrain_height
 from worlds.world import World
 
 FAR = 150.0
-TREE, ROCK, ROCK_HEIGHT = 0.3, 0.5, 0.15
-"""Radius of a planted tree, radius and height of a rock that is put [m]."""
 AIM = 0.012
 """Tangent of the angle by which a click may miss a character."""
-ROOM = 0.7
-"""A tree or rock is not put this near to a foot [m]."""
 
 
 def ground_point(world: World, origin: np.ndarray, direction: np.ndarray) -> tuple[float, float] | None:
@@ -42,31 +39,23 @@ def character_at(com: np.ndarray, size: float, origin: np.ndarray, direction: np
     return int(met[along[met].argmin()]) if len(met) else None
 
 
-def edited(world: World, tool: str, x: float, y: float, feet: np.ndarray) -> tuple[World, str]:
-    """The world after an edit, and what to tell; the same world where the edit is refused. feet (K, 2)."""
-    w = world.arrays
+def command_for(world: World, tool: str, x: float, y: float) -> Command | None:
+    """What a click with a tool held means: g goal, t tree, k rock, x away with the nearest; None where nothing is there."""
     if tool == "g":
-        if tree_clearance(w, x, y) < 0.3 or water_clearance(w, x, y) < 0.3:
-            return world, "a goal needs dry ground away from trees"
-        return world.with_goal(x, y), f"goal at ({x:.1f}, {y:.1f})"
-    if tool in "tk":
-        near = float(np.hypot(*(feet - (x, y)).T).min()) if len(feet) else np.inf
-        if near < ROOM:
-            return world, "too near to a foot"
-        if tool == "t":
-            return world.with_tree(x, y, TREE), f"tree planted at ({x:.1f}, {y:.1f})"
-        return world.with_rock(x, y, ROCK, ROCK_HEIGHT), f"rock put at ({x:.1f}, {y:.1f})"
-    return _removed(world, x, y)
+        return SetGoal(x, y)
+    if tool == "t":
+        return PlantTree(x, y)
+    if tool == "k":
+        return PutRock(x, y)
+    return _removal(world, x, y)
 
 
-def _removed(world: World, x: float, y: float) -> tuple[World, str]:
-    """Without the tree or rock nearest to the place, within a metre."""
+def _removal(world: World, x: float, y: float) -> Remove | None:
+    """Away with the tree or rock nearest to the place, within a metre."""
     best, what, index = 1.0, "", -1
     for name, things in (("tree", world.trees), ("rock", world.rocks)):
         if len(things):
             d = np.hypot(things[:, 0] - x, things[:, 1] - y) - things[:, 2]
             if d.min() < best:
                 best, what, index = float(d.min()), name, int(d.argmin())
-    if index < 0:
-        return world, "nothing to remove there"
-    return (world.without_tree if what == "tree" else world.without_rock)(index), f"{what} removed"
+    return Remove(what, index) if index >= 0 else None

@@ -1,12 +1,15 @@
 """The 3D window: a renderer whose effort adapts to the machine, and the panel."""
 
 import time as clock
+from types import ModuleType
+from typing import Any
 
 import moderngl
 
 from sim.view.graphics import gl
 from sim.view.graphics.quality import LEVELS, SOFTWARE_LEVEL
 from sim.view.pictures.renderer import Renderer
+from sim.view.window.app import App
 
 FRAMES, SECONDS = 8, 1.0
 """Before it is judged again, a level is given so many frames and so long [s]; UP times as long before it is raised."""
@@ -17,7 +20,7 @@ SOFTWARE = ("llvmpipe", "softpipe", "swrast")
 class Screen3D:
     """Draws an App in a pygame window with OpenGL."""
 
-    def __init__(self, pygame, size: tuple[int, int]) -> None:
+    def __init__(self, pygame: ModuleType, size: tuple[int, int]) -> None:
         self.pygame, self.size = pygame, size
         flags = pygame.OPENGL | pygame.DOUBLEBUF | pygame.RESIZABLE
         for key, value in (("CONTEXT_MAJOR_VERSION", 3), ("CONTEXT_MINOR_VERSION", 3)):
@@ -58,11 +61,11 @@ class Screen3D:
         self.size = (max(size[0], 64), max(size[1], 64))
         self._target()
 
-    def takes(self, event) -> bool:
+    def takes(self, event: Any) -> bool:
         """Whether the panel uses the event."""
         return self.panel is not None and self.panel.takes(event)
 
-    def draw(self, app) -> None:
+    def draw(self, app: App) -> None:
         """One frame."""
         begin = clock.perf_counter()
         app.camera.follow_point(app.sim.com()[app.focus], self.seconds)
@@ -100,7 +103,7 @@ class Screen3D:
         self._target()
 
 
-def _panel(pygame, size):
+def _panel(pygame: ModuleType, size: tuple[int, int]) -> Any:
     """The panel, or None where imgui does not run."""
     try:
         from sim.view.window.panel import Panel

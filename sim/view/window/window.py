@@ -2,19 +2,22 @@
 
 import sys
 import time as clock
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any
 
 from sim.files.saving import save
 from sim.stage.cast import Cast
 from sim.stage.simulation import Simulation
 from sim.view.graphics import gl
 from sim.view.window.app import FRAME, App
-from sim.view.window.plan_view import PlanScreen
+from sim.view.window.plan_screen import PlanScreen
 
 STILL = 4
 """A press and release no more than so many pixels apart is a click, else a drag."""
 
 
-def run_window(make, sim: Cast, options, levels: list[str]) -> int:
+def run_window(make: Callable[..., Cast], sim: Cast, options: Any, levels: list[str]) -> int:
     """Opens the window and runs until it is closed, or for --seconds; returns the exit status."""
     gl.prefer_egl_without_display()
     import pygame
@@ -45,10 +48,10 @@ def run_window(make, sim: Cast, options, levels: list[str]) -> int:
 class _Extras:
     """--record, --save and --screenshot of a window: the recording replays the same ticks, so it holds each of them."""
 
-    def __init__(self, options, sim: Cast) -> None:
+    def __init__(self, options: Any, sim: Cast) -> None:
         self.options = options
         self.recorder = None
-        if options.record:
+        if options.biped:
             from sim.files.recording import Recorder
 
             self.recorder = Recorder(sim)
@@ -65,7 +68,7 @@ class _Extras:
     def end(self, sim: Cast) -> None:
         """Writes what was asked for."""
         if self.recorder:
-            self.recorder.save(self.options.record)
+            self.recorder.save(self.options.biped)
         if self.options.save and isinstance(sim, Simulation):
             save(sim, self.options.save)
         if self.options.screenshot:
@@ -74,7 +77,7 @@ class _Extras:
             render_image(sim, self.options.screenshot, self.options.size)
 
 
-def handle(app: App, screen, event, pygame) -> None:
+def handle(app: App, screen: Any, event: Any, pygame: ModuleType) -> None:
     """One pygame event."""
     if screen.takes(event):
         return
@@ -99,7 +102,7 @@ def handle(app: App, screen, event, pygame) -> None:
         screen.resize(event.size)
 
 
-def _open_screen(pygame, size: tuple[int, int]):
+def _open_screen(pygame: ModuleType, size: tuple[int, int]) -> Any:
     """The 3D screen, or the plan view where there is no OpenGL."""
     try:
         from sim.view.window.screen import Screen3D

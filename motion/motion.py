@@ -1,0 +1,103 @@
+"""The paper as a function: footprints in, motion out.
+
+    motion = solve(footprints, character)
+    pose = motion.pose(1.5)
+
+A motion is a function of time: nothing in it is integrated, so any moment can be asked for, in any order.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from motion.characters.character import Character
+from motion.characters.dimensions import Dimensions
+from motion.com import newton, window
+from motion.com.laying import Layout
+from motion.com.newton import Effort
+from motion.com.standing import above_feet
+from motion.com.window import Ends, Solved, optimise_track
+from motion.pose.bones import Bones, Placed
+from motion.pose.pose import Pose, empty_pose
+from motion.pose.posing import pose_kernel
+from motion.pose.skeleton import Skeleton, skeleton_of
+from motion.pose.turning import fill_bones, lay_bones
+from motion.track.curve import Curve, Track
+from motion.track.footprints import Footprints, first
+from worlds.compiled.jit import jit
+from worlds.compiled.tables import empty
+
+REST = 0.6
+"""Seconds of standing after the last contact, where nothing else is said."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Who walks, on which footprints, along which curve. Before its begin and after its end the character stands."""
+
+    character: Character
+    footprints: Footprints  # (n,)
+    curve: Curve  # (m + 1,)
+    solved: Solved
+
+    @property
+    def begin(self) -> float:
+        """When it begins [s]: the second footprint's contact."""
+        return float(self.curve.time[0])
+
+    @property
+    def end(self) -> float:
+        """When it ends [s]."""
+        return float(self.curve.time[-1])
+
+    def pose(self, time: float) -> Pose:
+        """The pose at a time [s], of one row."""
+        pose = empty_pose(1)
+        at = min(max(float(time), self.begin), self.end - 1e-9)
+        pose_kernel(self.character.biped, Track(self.footprints, self.curve), at, pose, 0)
+        return pose
+
+    @cached_property
+    def skeleton(self) -> Skeleton:
+        """The character's bones at rest."""
+        return skeleton_of(self.character)
+
+    def bones(self, time: float) -> Bones:
+        """The root's place and every bone's rotation at a time [s], of one row."""
+        bones = empty(Bones, 1)
+        fill_bones(self.character.biped, self.pose(time), 0, bones)
+        return bones
+
+
+def placed(bones: Bones, skeleton: Skeleton) -> Placed:
+    """Where the bones of a skeleton are: heads, tips and rotations in the world."""
+    count = (len(bones.root), len(skeleton.parent))
+    out = Placed(np.empty((*count, 3)), np.empty((*count, 3)), np.empty((*count, 4)))
+    lay_bones(bones, skeleton.parent, skeleton.offset, skeleton.tip, skeleton.bone, out)
+    return out
+
+
+def solve(
+    footprints: Footprints, character: Character, end: float | None = None, layout: Layout = window.SCENE,
+    effort: Effort = newton.SCENE,
+) -> Motion:  # fmt: skip
+    """The motion over timed footprints, from standing on the first two to standing on the last two (paper, section 2).
+
+    The curve of the centre of mass begins at the contact of the second footprint and lasts until `end` [s], by default REST
+    after the last contact; the last two stances must last as long. Layout and effort are the solver's.
+    """
+    if len(footprints.side) < 2:
+        raise ValueError(f"{len(footprints.side)} footprints: at least two, to stand on, are needed")
+    until = float(footprints.contact_time[-1]) + REST if end is None else float(end)
+    curve, solved = solve_track(character.biped, footprints, until, layout, effort)
+    return Motion(character, footprints, curve, solved)
+
+
+@jit
+def solve_track(biped: Dimensions, footprints: Footprints, end: float, layout: Layout, effort: Effort) -> tuple[Curve, Solved]:
+    """The curve of `solve`, for kernels' arguments."""
+    start, finish = np.empty(6), np.empty(6)
+    above_feet(biped, first(footprints, 2), start)
+    above_feet(biped, footprints, finish)
+    return optimise_track(biped, footprints, Ends(footprints.contact_time[1], end, start, finish), layout, effort)

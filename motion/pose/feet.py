@@ -1,0 +1,159 @@
+"""Posing the legs: feet that stand or swing, and what lies between them and the hips."""
+
+import numpy as np
+
+from motion.arithmetic.gravity import pendulum_time
+from motion.arithmetic.triples import Triple
+from motion.characters.dimensions import Dimensions
+from motion.pose import legs, swing
+from motion.pose.pose import Pose
+from motion.track import foot
+from motion.track.footprints import Footprints
+from worlds.compiled.jit import jit_borrowing, jit_inline
+
+FREE_REACH, FIRM_REACH = 0.93, 0.99
+"""Shares of its full length up to which a swinging leg goes freely: in the middle of its swing, and near the ends."""
+FREE_ENDS = 0.25
+"""Share of the swing, at either end, over which the first gives way to the second."""
+KNEE_TURN = 0.25
+"""Legs bend half way between body and toes, but turn no farther from the body than this [rad], so that knees keep apart."""
+CARRIED_FROM, CARRIED = 4.0, 5.5
+"""Swing times, in pendulum times, from which on a foot is carried with the body, and from which on wholly."""
+CARRIED_ENDS, HANGS = 0.35, (0.3, 0.72)
+"""Share of the swing, at either end, over which that sets in; where the ankle hangs, back and down from the hip, in legs."""
+
+
+@jit_borrowing
+def footprints_at(footprints: Footprints, leg: int, t: float) -> tuple[int, int]:
+    """(last, next) footprint of foot `leg` at time t: it stands on last, or swings from it to next; -1 for none."""
+    last, following = -1, -1
+    for i in range(len(footprints.side)):
+        if footprints.side[i] == leg:
+            if footprints.contact_time[i] <= t:
+                last = i
+            elif following < 0:
+                following = i
+    return last, following
+
+
+@jit_inline
+def _set(array: np.ndarray, c: int, leg: int, point: Triple) -> None:
+    array[c, leg, 0], array[c, leg, 1], array[c, leg, 2] = point
+
+
+@jit_inline
+def _stand(biped: Dimensions, footprints: Footprints, n: int, t: float, pose: Pose, c: int, leg: int) -> float:
+    """The foot on footprint n at time t, also where its next one is not known yet; returns its heading."""
+    u = foot.stance_share(footprints, n, t)
+    pitch = foot.heel_off_angle(biped, footprints.roll[n, 1], u)
+    _set(pose.ball, c, leg, foot.along_sole(footprints, n, biped.foot.ball_forward, 0.0))
+    _set(pose.toe, c, leg, foot.along_sole(footprints, n, 0.5 * biped.foot.length, 0.0))
+    x, z = foot.about_ball(biped, -0.5 * biped.foot.length, 0.0, pitch)
+    _set(pose.heel, c, leg, foot.along_sole(footprints, n, x, z))
+    _set(pose.ankle, c, leg, foot.stance_ankle(biped, footprints, n, u))
+    return footprints.heading[n]
+
+
+@jit_inline
+def _fly(
+    biped: Dimensions, footprints: Footprints, last: int, following: int, t: float, pose: Pose, c: int, leg: int
+) -> tuple[float, float]:
+    """The foot on its way from footprint `last` to `following`; returns the share of the swing and its heading."""
+    left = footprints.contact_time[last] + footprints.stance_time[last]
+    s = min(max((t - left) / (footprints.contact_time[following] - left), 0.0), 1.0)
+    sole, ball = swing.sole_at(biped, footprints, last, following, s), biped.foot.ball_forward
+    _set(pose.ball, c, leg, sole.ball)
+    _set(pose.heel, c, leg, swing.point_of_foot(sole, -0.5 * biped.foot.length - ball, 0.0, sole.pitch))
+    _set(pose.toe, c, leg, swing.point_of_foot(sole, 0.5 * biped.foot.length - ball, 0.0, sole.pitch - sole.flex))
+    _set(pose.ankle, c, leg, swing.point_of_foot(sole, biped.foot.ankle_forward - ball, biped.foot.ankle_height, sole.pitch))
+    return s, sole.heading
+
+
+@jit_inline
+def _move(pose: Pose, c: int, leg: int, share: float, way: Triple) -> None:
+    """Moves a swinging foot by a share of a way."""
+    for array in (pose.ankle, pose.heel, pose.ball, pose.toe):
+        array[c, leg, 0] += share * way[0]
+        array[c, leg, 1] += share * way[1]
+        array[c, leg, 2] += share * way[2]
+
+
+@jit_inline
+def _carry(biped: Dimensions, hip: Triple, yaw: float, time: float, s: float, pose: Pose, c: int, leg: int) -> None:
+    """Lets a foot that swings for long, as the free one in hops on the other leg, hang behind its hip meanwhile."""
+    nominal = biped.leg.nominal_length
+    long = (time / pendulum_time(nominal) - CARRIED_FROM) / (CARRIED - CARRIED_FROM)
+    if long <= 0:
+        return
+    share = (1 - swing.fade(long, 1.0)) * (1 - swing.fade(min(s, 1 - s), CARRIED_ENDS))
+    back, down, ankle = HANGS[0] * nominal, HANGS[1] * nominal, pose.ankle[c, leg]
+    way = (hip[0] - back * np.cos(yaw) - ankle[0], hip[1] - back * np.sin(yaw) - ankle[1], hip[2] - down - ankle[2])
+    _move(pose, c, leg, share, way)
+
+
+@jit_borrowing
+def _limited(length: float, free: float, full: float) -> float:
+    """A length that is its own up to `free` and comes smoothly to `full`: free + (full - free) (1 - exp(-x)), x = (length -
+    free) / (full - free)."""
+    if length <= free:
+        return length
+    return free + (full - free) * (1 - np.exp((free - length) / (full - free)))
+
+
+@jit_borrowing
+def _leg_length(biped: Dimensions, length: float, s: float) -> float:
+    """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent."""
+    full, shortest = biped.leg.max_length, biped.leg.min_length
+    calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
+    if length < shortest:
+        return length + calm * (shortest - length)
+    near = _limited(length, FIRM_REACH * full, full)
+    return near + calm * (_limited(length, FREE_REACH * full, full) - near)
+
+
+@jit_inline
+def _keep_in_reach(biped: Dimensions, hip: Triple, s: float, pose: Pose, c: int, leg: int) -> None:
+    """Draws a swinging foot along the line to its hip, so that its leg is never longer or more bent than it can be."""
+    ankle = pose.ankle[c, leg]
+    x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
+    length = max(np.sqrt(x * x + y * y + z * z), 1e-6)
+    _move(pose, c, leg, _leg_length(biped, length, s) / length - 1, (x, y, z))
+
+
+@jit_inline
+def _swing(
+    biped: Dimensions, footprints: Footprints, leg: int, yaw: float, t: float, pose: Pose, c: int
+) -> tuple[float, float]:
+    """A foot in the air; returns how far it has swung, 0 at either end to 1 in the middle, and its heading."""
+    last, following = footprints_at(footprints, leg, t)
+    if following < 0:
+        return 0.0, _stand(biped, footprints, last, t, pose, c, leg)
+    if last < 0:
+        return 0.0, _stand(biped, footprints, following, t, pose, c, leg)
+    s, toes = _fly(biped, footprints, last, following, t, pose, c, leg)
+    hip = (pose.hip[c, leg, 0], pose.hip[c, leg, 1], pose.hip[c, leg, 2])
+    _carry(biped, hip, yaw, swing.swing_time(footprints, last, following), s, pose, c, leg)
+    _keep_in_reach(biped, hip, s, pose, c, leg)
+    return swing.bump(s), toes
+
+
+@jit_inline
+def pose_leg(biped: Dimensions, footprints: Footprints, n: int, leg: int, yaw: float, t: float, pose: Pose, c: int) -> float:
+    """Poses a leg that footprint n carries, -1 for none; returns how far it has swung, 0 standing to 1 in the middle."""
+    offset, swung = foot.hip_offset(biped, leg, yaw), 0.0
+    hip = (pose.com[c, 0] + offset[0], pose.com[c, 1] + offset[1], pose.com[c, 2] + offset[2])
+    _set(pose.hip, c, leg, hip)
+    pose.contact[c, leg] = n >= 0
+    if n >= 0:
+        u = foot.stance_share(footprints, n, t)
+        _set(pose.point_of_support, c, leg, foot.point_of_support(biped, footprints, n, u))
+        toes = _stand(biped, footprints, n, t, pose, c, leg)
+    else:
+        pose.point_of_support[c, leg] = np.nan
+        swung, toes = _swing(biped, footprints, leg, yaw, t, pose, c)
+    ahead = yaw + KNEE_TURN * np.tanh(0.5 * (toes - yaw) / KNEE_TURN)
+    ankle = pose.ankle[c, leg]
+    knee, hock = legs.joints(biped, hip, (ankle[0], ankle[1], ankle[2]), (np.cos(ahead), np.sin(ahead), 0.0))
+    _set(pose.knee, c, leg, knee)
+    _set(pose.hock, c, leg, hock)
+    return swung

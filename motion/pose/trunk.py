@@ -1,0 +1,111 @@
+"""The body above the legs (paper, section 2.5): trunk, pelvis, neck and head, as functions of time.
+
+Everything reads the committed curve and the footprints. Accelerations of the curve jump where phases change, so the body
+follows `trend`, the second difference of the com over a DELAY (the acceleration under a triangle of that width): it is
+continuous, and lags as flesh does. The trunk leans over the leg that carries it, into turns with the lateral trend, forward
+with speed, and nods with the vertical one. The pelvis turns with the legs and drops toward the swinging one; the chest
+turns against it; the head looks where the feet will go and takes part in the trunk's pitch and roll as little as it likes.
+"""
+
+from math import atan2, cos, sin, sqrt
+
+import numpy as np
+
+from motion.arithmetic.gravity import GRAVITY, pendulum_time
+from motion.arithmetic.triples import Triple
+from motion.characters.dimensions import Dimensions
+from motion.track import heading
+from motion.track.curve import Curve, position_at
+from motion.track.footprints import Footprints
+from worlds.compiled.jit import jit_borrowing
+
+DELAY = 0.3
+"""Width of the smoothing, in pendulum times of the nominal leg: more is calmer, and later."""
+PAST = 9
+"""Moments of the past that are looked at: enough for a tail of TAIL pieces, each a DELAY later."""
+RECENT = 3
+"""Those that the trunk follows."""
+LOOKS_ASIDE = 1.0
+"""Largest turn of the head against the body [rad]."""
+HELD = 0.62
+"""Share of a step in which a bobbing head stays in place."""
+
+
+@jit_borrowing
+def delay(biped: Dimensions) -> float:
+    """Seconds between the moments of the past."""
+    return DELAY * pendulum_time(biped.leg.nominal_length)
+
+
+@jit_borrowing
+def past_of(biped: Dimensions, curve: Curve, t: float, past: np.ndarray) -> None:
+    """Fills past (PAST, 3) with the com now and in the last moments; before the beginning it stood there.
+
+    Only a tail looks further back than RECENT moments.
+    """
+    step = delay(biped)
+    for k in range(PAST if biped.body.tail_length > 0 else RECENT):
+        position_at(curve, max(t - k * step, curve.time[0]), past[k])
+
+
+@jit_borrowing
+def trend(biped: Dimensions, past: np.ndarray, k: int) -> Triple:
+    """Smoothed acceleration (x, y, z) [m/s^2] about k + 1 delays ago."""
+    step = delay(biped)
+    scale = 1 / (step * step)
+    return (
+        scale * (past[k, 0] - 2 * past[k + 1, 0] + past[k + 2, 0]),
+        scale * (past[k, 1] - 2 * past[k + 1, 1] + past[k + 2, 1]),
+        scale * (past[k, 2] - 2 * past[k + 1, 2] + past[k + 2, 2]),
+    )
+
+
+@jit_borrowing
+def speed_ahead(biped: Dimensions, past: np.ndarray, yaw: float) -> float:
+    """Smoothed speed along the heading [m/s]."""
+    return (cos(yaw) * (past[0, 0] - past[2, 0]) + sin(yaw) * (past[0, 1] - past[2, 1])) / (2 * delay(biped))
+
+
+@jit_borrowing
+def pace(biped: Dimensions, past: np.ndarray, yaw: float) -> float:
+    """Speed along the heading as a share of sqrt(g h): about 0.45 walking, 1 at a run."""
+    return speed_ahead(biped, past, yaw) / sqrt(GRAVITY * biped.timing.hip_height)
+
+
+@jit_borrowing
+def pitch_and_roll(biped: Dimensions, past: np.ndarray, yaw: float) -> tuple[float, float]:
+    """(pitch, roll) [rad] of the trunk; pitch is positive nose down."""
+    body, c, s = biped.body, cos(yaw), sin(yaw)
+    x, y, z = trend(biped, past, 0)
+    forward, left, up = c * x + s * y, c * y - s * x, min(max(z / GRAVITY, -1.0), 1.0)
+    nod = body.pitch_amplitude * (min(max(forward / 2.0, -1.0), 1.0) - 0.5 * up)
+    sway = body.roll_amplitude * min(max(left / 1.5, -1.0), 1.0)
+    lean = body.lean_speed * min(max(pace(biped, past, yaw), -0.5), 1.5)
+    return nod + lean, -sway - body.lean_gain * atan2(left, 2 * GRAVITY)
+
+
+@jit_borrowing
+def head_offset(biped: Dimensions, footprints: Footprints, past: np.ndarray, yaw: float, t: float) -> float:
+    """How far a bobbing head is ahead of its middle place [m]: it stays where it is while the body walks on, then darts."""
+    if biped.body.head_bob == 0:
+        return 0.0
+    i = max(int(np.searchsorted(footprints.contact_time, t, side="right")) - 1, 0)
+    step_time = footprints.step_time[i]
+    u = min(max((t - footprints.contact_time[i]) / max(step_time, 1e-3), 0.0), 1.0)
+    rest = 0.5 * HELD
+    if u < rest:
+        share = -u
+    elif u > 1 - rest:
+        share = 1 - u
+    else:
+        x = (u - rest) / (1 - HELD)
+        share = HELD * (x * x * (3 - 2 * x) - 0.5)
+    most = 0.6 * biped.timing.hip_height
+    return biped.body.head_bob * share * min(max(speed_ahead(biped, past, yaw) * step_time, -most), most)
+
+
+@jit_borrowing
+def gaze(biped: Dimensions, footprints: Footprints, yaw: float, t: float) -> float:
+    """Heading of the head [rad]: where the feet are going, before the body does."""
+    ahead = heading.mean_heading(footprints, t, 0.4 * heading.window_length(biped))
+    return yaw + min(max(ahead - yaw, -LOOKS_ASIDE), LOOKS_ASIDE)

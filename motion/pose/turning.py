@@ -1,0 +1,187 @@
+"""From a pose to the rotations of its bones, and back to places: closed forms, no search.
+
+The pose's joints say where each bone points; what they leave open, its turn about itself, follows from the leg's plane, the
+foot's sole, or the bone that it hangs on. So the places that follow from the bones are the pose's own, to rounding.
+"""
+
+from math import asin, atan2
+
+import numpy as np
+
+from motion.arithmetic import rotations
+from motion.arithmetic.rotations import Axes, Quaternion
+from motion.arithmetic.triples import Triple, cross, dot, minus, norm, times, unit
+from motion.characters.dimensions import Dimensions
+from motion.pose.bones import BONES, INDEX, Bones
+from motion.pose.limbs import TAIL
+from motion.pose.pose import Pose
+from worlds.compiled.jit import jit, jit_borrowing, jit_inline
+
+ROOT, BODY, PELVIS, SPINE, NECK, HEAD = (INDEX[name] for name in ("root", "body", "pelvis", "spine", "neck", "head"))
+ARM, FOREARM, THIGH, SHANK = (INDEX[f"{name}_left"] for name in ("upper_arm", "forearm", "thigh", "shank"))
+METATARSUS, FOOT, TOES, TAIL_ROOT = (INDEX[name] for name in ("metatarsus_left", "foot_left", "toes_left", "tail_1"))
+
+
+@jit_inline
+def _point(array: np.ndarray, c: int, side: int) -> Triple:
+    return array[c, side, 0], array[c, side, 1], array[c, side, 2]
+
+
+@jit_inline
+def _place(array: np.ndarray, c: int) -> Triple:
+    return array[c, 0], array[c, 1], array[c, 2]
+
+
+@jit_inline
+def _rotation(array: np.ndarray, c: int) -> Quaternion:
+    return array[c, 0], array[c, 1], array[c, 2], array[c, 3]
+
+
+@jit_inline
+def _turn(bones: Bones, c: int, bone: int, parent: Quaternion, world: Quaternion) -> Quaternion:
+    """Sets a bone's rotation so that it is `world` under a parent of that rotation; returns it."""
+    q = rotations.product(rotations.inverse(parent), world)
+    for k in range(4):
+        bones.rotation_wxyz[c, bone, k] = q[k]
+    return world
+
+
+@jit_inline
+def _hanging(down: Triple, left: Triple) -> Axes:
+    """Axes of a bone that hangs along `down`, its left as near to `left` as that allows."""
+    up = unit(times(-1.0, down))
+    aside = unit(minus(left, times(dot(left, up), up)))
+    return cross(aside, up), aside, up
+
+
+@jit_inline
+def _link(bones: Bones, c: int, bone: int, parent: Quaternion, way: Triple, left: Triple, length: float) -> Quaternion:
+    """A bone of that length that hangs along `way` to its end; returns its rotation."""
+    bones.stretch[c, bone] = norm(way) / length
+    return _turn(bones, c, bone, parent, rotations.of_axes(_hanging(way, left)))
+
+
+@jit_borrowing
+def _leg(biped: Dimensions, pose: Pose, c: int, side: int, root: Quaternion, bones: Bones) -> None:
+    """Thigh to toes: the leg's plane holds hip, knee and ankle; the sole's ends and the ankle give the foot's axes."""
+    hip, knee, hock = _point(pose.hip, c, side), _point(pose.knee, c, side), _point(pose.hock, c, side)
+    ankle, ball = _point(pose.ankle, c, side), _point(pose.ball, c, side)
+    left = unit(cross(minus(knee, hip), minus(ankle, hip)))
+    above = _link(bones, c, THIGH + side, root, minus(knee, hip), left, biped.leg.thigh)
+    above = _link(bones, c, SHANK + side, above, minus(hock, knee), left, biped.leg.shank)
+    if biped.leg.metatarsus > 0:
+        above = _link(bones, c, METATARSUS + side, above, minus(ankle, hock), left, biped.leg.metatarsus)
+    forward = unit(minus(ball, _point(pose.heel, c, side)))
+    behind = times(biped.foot.ankle_forward - biped.foot.ball_forward, forward)
+    up = unit(minus(minus(ankle, ball), behind))
+    aside = cross(up, forward)
+    above = _turn(bones, c, FOOT + side, above, rotations.of_axes((forward, aside, up)))
+    forward = unit(minus(_point(pose.toe, c, side), ball))
+    _turn(bones, c, TOES + side, above, rotations.of_axes((forward, aside, cross(forward, aside))))
+
+
+@jit_borrowing
+def _arm(biped: Dimensions, pose: Pose, c: int, side: int, chest: Quaternion, bones: Bones) -> None:
+    shoulder, elbow, hand = _point(pose.shoulder, c, side), _point(pose.elbow, c, side), _point(pose.hand, c, side)
+    left = _axis_left(chest)
+    above = _link(bones, c, ARM + side, chest, minus(elbow, shoulder), left, biped.body.upper_arm)
+    _link(bones, c, FOREARM + side, above, minus(hand, elbow), left, biped.body.forearm)
+
+
+@jit_inline
+def _axis_left(q: Quaternion) -> Triple:
+    """The left axis of a rotation."""
+    w, x, y, z = q
+    return 2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)
+
+
+@jit_inline
+def _carried(q: Quaternion, v: Triple) -> Triple:
+    """The vector v of a body turned by q, in the world."""
+    w, x, y, z = q
+    t = times(2.0, cross((x, y, z), v))
+    turn = cross((x, y, z), t)
+    return v[0] + w * t[0] + turn[0], v[1] + w * t[1] + turn[1], v[2] + w * t[2] + turn[2]
+
+
+@jit_borrowing
+def _neck(biped: Dimensions, pose: Pose, c: int, chest: Quaternion, bones: Bones) -> None:
+    """The neck points to the head, turned from the head's own axes by as little as that takes."""
+    body, head = biped.body, _rotation(pose.head_rotation_wxyz, c)
+    rest = (body.head_forward - body.neck_forward, 0.0, body.head_up - body.neck_up)
+    way, length = minus(_place(pose.head, c), _place(pose.neck, c)), norm(rest)
+    if length > 0:
+        begin, end = unit(_carried(head, rest)), unit(way)
+        axis, share = cross(begin, end), 1 + dot(begin, end)
+        scale = 1 / max((share * share + dot(axis, axis)) ** 0.5, 1e-12)
+        least = (scale * share, scale * axis[0], scale * axis[1], scale * axis[2])
+        above = _turn(bones, c, NECK, chest, rotations.product(least, head))
+        bones.stretch[c, NECK] = norm(way) / length
+    else:
+        above = _turn(bones, c, NECK, chest, head)
+    _turn(bones, c, HEAD, above, head)
+
+
+@jit_borrowing
+def _tail(pose: Pose, c: int, body: Quaternion, bones: Bones) -> None:
+    above = body
+    for k in range(TAIL):
+        x, y, z = pose.tail[c, k, 0] - pose.tail[c, k + 1, 0], pose.tail[c, k, 1] - pose.tail[c, k + 1, 1], 0.0
+        z = pose.tail[c, k, 2] - pose.tail[c, k + 1, 2]
+        forward = unit((x, y, z))
+        world = rotations.quaternion(atan2(forward[1], forward[0]), -asin(min(max(forward[2], -1.0), 1.0)), 0.0)
+        above = _turn(bones, c, TAIL_ROOT + k, above, world)
+
+
+@jit_borrowing
+def fill_bones(biped: Dimensions, pose: Pose, c: int, bones: Bones) -> None:
+    """Fills row c of `bones` from row c of a pose of that biped."""
+    for bone in range(len(BONES)):
+        bones.stretch[c, bone], bones.rotation_wxyz[c, bone, 0] = 1.0, 1.0
+        for k in range(1, 4):
+            bones.rotation_wxyz[c, bone, k] = 0.0
+    for k in range(3):
+        bones.root[c, k] = pose.com[c, k]
+    nothing = (1.0, 0.0, 0.0, 0.0)
+    across = minus(_point(pose.hip, c, 0), _point(pose.hip, c, 1))
+    root = _turn(bones, c, ROOT, nothing, rotations.quaternion(atan2(-across[0], across[1]), 0.0, 0.0))
+    body = _turn(bones, c, BODY, root, _rotation(pose.body_rotation_wxyz, c))
+    _turn(bones, c, PELVIS, root, _rotation(pose.pelvis_rotation_wxyz, c))
+    chest = _turn(bones, c, SPINE, root, _rotation(pose.chest_rotation_wxyz, c))
+    _neck(biped, pose, c, chest, bones)
+    for side in range(2):
+        _leg(biped, pose, c, side, root, bones)
+        if biped.body.upper_arm > 0 and biped.body.forearm > 0:
+            _arm(biped, pose, c, side, chest, bones)
+    if biped.body.tail_length > 0:
+        _tail(pose, c, body, bones)
+
+
+@jit_borrowing
+def fill_all_bones(biped: Dimensions, pose: Pose, bones: Bones) -> None:
+    """Bones of all rows of a pose, all of one kind."""
+    for c in range(len(pose.phase)):
+        fill_bones(biped, pose, c, bones)
+
+
+@jit
+def lay_bones(bones: Bones, parent: np.ndarray, offset: np.ndarray, tip: np.ndarray, bone: np.ndarray, out: tuple) -> None:
+    """Fills out, a motion.pose.bones.Placed, with where the bones of a skeleton are: see there."""
+    head, end, world = out
+    for c in range(len(bones.root)):
+        for b in range(len(parent)):
+            local, above = bones.rotation_wxyz[c, bone[b]], parent[b]
+            q = (local[0], local[1], local[2], local[3])
+            if above < 0:
+                place = (bones.root[c, 0], bones.root[c, 1], bones.root[c, 2])
+            else:
+                over = (world[c, above, 0], world[c, above, 1], world[c, above, 2], world[c, above, 3])
+                q, s = rotations.product(over, q), bones.stretch[c, bone[above]]
+                way = _carried(over, (s * offset[b, 0], s * offset[b, 1], s * offset[b, 2]))
+                place = (head[c, above, 0] + way[0], head[c, above, 1] + way[1], head[c, above, 2] + way[2])
+            s = bones.stretch[c, bone[b]]
+            way = _carried(q, (s * tip[b, 0], s * tip[b, 1], s * tip[b, 2]))
+            for k in range(3):
+                head[c, b, k], end[c, b, k] = place[k], place[k] + way[k]
+            for k in range(4):
+                world[c, b, k] = q[k]

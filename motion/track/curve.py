@@ -1,0 +1,124 @@
+"""The curve of the centre of mass: cubic Hermite segments in time (paper, section 2.3).
+
+A segment runs between two control points, each a position p [m] and a velocity v [m/s]. With s = (t - t0) / T:
+
+    c(t)  = h00 p0 + T h10 v0 + h01 p1 + T h11 v1
+    h00 = 2s^3 - 3s^2 + 1,  h10 = s^3 - 2s^2 + s,  h01 = -2s^3 + 3s^2,  h11 = s^3 - s^2
+
+The tangent is the velocity in time, so the curve is C1 across segments of different durations. Acceleration is linear
+in time within a segment.
+"""
+
+from typing import Annotated, NamedTuple
+
+import numpy as np
+
+from motion.track.footprints import Footprints
+from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.tables import Column, Numbers, copy_row, part
+
+Weights = tuple[float, float, float, float]
+
+
+class Curve(NamedTuple):
+    """m segments between m + 1 control points, each row a control point and the segment that begins there."""
+
+    time: Numbers  # (m + 1,) [s], ascending
+    control: Annotated[np.ndarray, Column(shape=(6,))]  # (m + 1, 6) position [m] and velocity [m/s]
+    support: Annotated[
+        np.ndarray, Column(np.int64, (2,), -1)
+    ]  # (m + 1, 2) footprint of either foot, -1 in the air; no last one
+
+
+class Track(NamedTuple):
+    """What one character does: its footprints, and the curve over them. All that a pose is made from, with who walks."""
+
+    footprints: Footprints
+    curve: Curve
+
+
+@jit_borrowing
+def position_weights(s: float, duration: float) -> Weights:
+    """Weights of (p0, v0, p1, v1) in the position at fraction s of a segment of `duration` seconds."""
+    s2 = s * s
+    s3 = s2 * s
+    return (2 * s3 - 3 * s2 + 1, duration * (s3 - 2 * s2 + s), 3 * s2 - 2 * s3, duration * (s3 - s2))
+
+
+@jit_borrowing
+def velocity_weights(s: float, duration: float) -> Weights:
+    """Weights of (p0, v0, p1, v1) in the velocity."""
+    s2 = s * s
+    slope = 6 * (s2 - s) / duration
+    return (slope, 3 * s2 - 4 * s + 1, -slope, 3 * s2 - 2 * s)
+
+
+@jit_borrowing
+def acceleration_weights(s: float, duration: float) -> Weights:
+    """Weights of (p0, v0, p1, v1) in the acceleration."""
+    bend = (12 * s - 6) / (duration * duration)
+    return (bend, (6 * s - 4) / duration, -bend, (6 * s - 2) / duration)
+
+
+@jit_borrowing
+def segment_at(time: np.ndarray, t: float) -> int:
+    """Index of the segment holding t; `time` (m + 1,). Times outside fall to the first or last segment."""
+    index = int(np.searchsorted(time, t, side="right")) - 1
+    return min(max(index, 0), len(time) - 2)
+
+
+@jit_borrowing
+def position_at(curve: Curve, t: float, out: np.ndarray) -> None:
+    """Position at t into out (3,)."""
+    i, time, control = segment_at(curve.time, t), curve.time, curve.control
+    duration = time[i + 1] - time[i]
+    p = position_weights((t - time[i]) / duration, duration)
+    for axis in range(3):
+        out[axis] = (
+            p[0] * control[i, axis]
+            + p[1] * control[i, 3 + axis]
+            + p[2] * control[i + 1, axis]
+            + p[3] * control[i + 1, 3 + axis]
+        )
+
+
+@jit_borrowing
+def evaluate(curve: Curve, t: float, com: np.ndarray, velocity: np.ndarray, acceleration: np.ndarray) -> None:
+    """Position, velocity, acceleration at t into three (3,) arrays."""
+    i, time, control = segment_at(curve.time, t), curve.time, curve.control
+    duration = time[i + 1] - time[i]
+    s = (t - time[i]) / duration
+    position = position_weights(s, duration)
+    speed = velocity_weights(s, duration)
+    bend = acceleration_weights(s, duration)
+    for axis in range(3):
+        p0, v0 = control[i, axis], control[i, 3 + axis]
+        p1, v1 = control[i + 1, axis], control[i + 1, 3 + axis]
+        com[axis] = position[0] * p0 + position[1] * v0 + position[2] * p1 + position[3] * v1
+        velocity[axis] = speed[0] * p0 + speed[1] * v0 + speed[2] * p1 + speed[3] * v1
+        acceleration[axis] = bend[0] * p0 + bend[1] * v0 + bend[2] * p1 + bend[3] * v1
+
+
+@jit_borrowing
+def up_to(curve: Curve, segments: int) -> Curve:
+    """The first so many segments."""
+    return part(curve, 0, segments + 1)
+
+
+@jit_borrowing
+def forget_segments(curve: Curve, segments: int, gone: int) -> int:
+    """Of so many segments the first `gone` are forgotten; returns how many are left."""
+    if gone > 0:
+        for i in range(segments - gone + 1):
+            copy_row(curve, gone + i, i)
+    return segments - gone
+
+
+@jit_borrowing
+def append_segment(curve: Curve, segments: int, source: Curve, i: int) -> None:
+    """Segment i of another curve follows the first so many: its support, and the control point at its end."""
+    curve.time[segments + 1] = source.time[i + 1]
+    for axis in range(6):
+        curve.control[segments + 1, axis] = source.control[i + 1, axis]
+    for leg in range(2):
+        curve.support[segments, leg] = source.support[i, leg]

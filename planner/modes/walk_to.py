@@ -1,0 +1,156 @@
+"""Walking to places: everyone goes to its own, one after the other, around whatever stands in the way."""
+
+from math import atan2, hypot
+from typing import NamedTuple
+
+import numpy as np
+
+from motion.arithmetic.angles import unwrapped
+from motion.characters.character import Character
+from motion.characters.dimensions import Dimensions
+from planner.planner import STAND_TIME, Situation
+from planner.round.kernel import Compiled
+from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing, stepping
+from planner.stepping import random
+from planner.stepping.beside import Place, beside, middle_beside
+from planner.stepping.steering import LOOK_STEPS, Onward, free_way, step_toward
+from worlds import queries
+from worlds.arrays import WorldArrays
+from worlds.compiled.jit import jit_borrowing
+from worlds.world import World
+
+THERE, CONTENT = 0.5, 0.25
+"""A walker is at its last stop within this share of its preferred step, and more for every step that others hindered."""
+ABEAM = 0.7
+"""Whom others hinder has passed a stop on the way once the cosine between its direction and the leg to it is below this."""
+
+
+class Stops(NamedTuple):
+    """Where C walkers go, and how far they have come."""
+
+    start: np.ndarray  # (C, 2) where each set out [m]
+    stops: np.ndarray  # (C, P, 2) places to walk to, one after the other [m]
+    again: np.ndarray  # (C,) bool: from the last stop on to the first
+    near: np.ndarray  # (C,) a stop on the way is reached within this distance [m]
+    reached: np.ndarray  # (C,) how many stops each has reached
+
+
+@jit_borrowing
+def stop_of(plans: Stops, c: int, reached: int) -> int:
+    """Which stop character c walks to after it has reached so many."""
+    stops = plans.stops.shape[1]
+    return reached % stops if plans.again[c] else min(reached, stops - 1)
+
+
+@jit_borrowing
+def is_last_stop(plans: Stops, c: int, reached: int) -> bool:
+    """Whether the stop that character c walks to is its last."""
+    return not plans.again[c] and reached >= plans.stops.shape[1] - 1
+
+
+@jit_borrowing
+def is_there(round: Round, me: Me, reached: int, middle: Place) -> bool:
+    """Whether the walker has come to the stop that it walks to after so many, or past it on its way."""
+    plans, c, stride = round.plans, me.c, biped_of(round, me).gait.preferred_step
+    stop = stop_of(plans, c, reached)
+    far = hypot(plans.stops[c, stop, 0] - middle[0], plans.stops[c, stop, 1] - middle[1])
+    if is_last_stop(plans, c, reached):
+        return far < (THERE + CONTENT * min(me.hindered, PATIENT)) * stride
+    return far < plans.near[c] or _is_past(round, me, reached, middle, ABEAM if me.hindered > 0 else 0.0)
+
+
+@jit_borrowing
+def _is_past(round: Round, me: Me, reached: int, middle: Place, abeam: float) -> bool:
+    """Whether the stop lies behind, or more to the side than `abeam` (a cosine), and the way to the next one is free.
+
+    Whom others have pushed past a stop, or kept off it, does not make for it across their way: that would block a gap.
+    """
+    plans, c, (x, y) = round.plans, me.c, middle
+    stop, from_x, from_y = stop_of(plans, c, reached), plans.start[c, 0], plans.start[c, 1]
+    if reached > 0:
+        before = stop_of(plans, c, reached - 1)
+        from_x, from_y = plans.stops[c, before, 0], plans.stops[c, before, 1]
+    stop_x, stop_y = plans.stops[c, stop, 0], plans.stops[c, stop, 1]
+    leg_x, leg_y, to_x, to_y = stop_x - from_x, stop_y - from_y, stop_x - x, stop_y - y
+    if to_x * leg_x + to_y * leg_y >= abeam * hypot(to_x, to_y) * hypot(leg_x, leg_y):
+        return False
+    then = stop_of(plans, c, reached + 1)
+    dx, dy = plans.stops[c, then, 0] - x, plans.stops[c, then, 1] - y
+    far, margin = hypot(dx, dy), min(biped_of(round, me).body.radius, queries.clearance(round.world, x, y) - 0.01)
+    return free_way(round.world, x, y, atan2(dy, dx), margin, far) >= far
+
+
+@jit_borrowing
+def walk_on(
+    biped: Dimensions, world: WorldArrays, middle: Place, heading: float, stop: np.ndarray, seed: int, character: int
+) -> Onward:
+    """A step of the walker whose middle is there on its way to stop (2,), not beyond it."""
+    x, y = middle
+    dx, dy = stop[0] - x, stop[1] - y
+    far = hypot(dx, dy)
+    right_first = random.uniform(seed, character, 0, random.SIDE) < 0.5
+    look = min(biped.gait.preferred_step * LOOK_STEPS, far)
+    on = step_toward(biped, world, middle, heading, unwrapped(atan2(dy, dx), heading), look, right_first)
+    share = min(far / max(hypot(on.x - x, on.y - y), 1e-9), 1.0)
+    return Onward(x + share * (on.x - x), y + share * (on.y - y), on.heading, on.course)
+
+
+def _next_step(round: Round, me: Me) -> Wish:
+    """The next step to the stop that comes next; a stop that was come to counts as reached once a real step is planned."""
+    biped, foot, plans = biped_of(round, me), me.feet.newer, round.plans
+    middle, reached = middle_beside(biped, foot), plans.reached[me.c]
+    if me.real and not is_last_stop(plans, me.c, reached) and is_there(round, me, reached, middle):
+        reached += 1
+        plans.reached[me.c] = reached
+    there = is_there(round, me, reached, middle)
+    if there and is_last_stop(plans, me.c, reached):
+        still = standing(me, STAND_TIME)
+        return Wish(still.step, still.course, still.longest, True, True)
+    stop = plans.stops[me.c, stop_of(plans, me.c, reached + there)]
+    on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, me.c)
+    side = 1 - foot.side
+    return stepping(side, beside(biped, side, (on.x, on.y), on.heading), on.heading, on.course, True)
+
+
+def _empty_stops(characters: int, stops: int) -> Stops:
+    c = characters
+    return Stops(np.zeros((c, 2)), np.zeros((c, stops, 2)), np.zeros(c, np.bool_), np.zeros(c), np.zeros(c, np.int64))
+
+
+_PLANNING = Compiled(_next_step, _empty_stops(1, 1))
+
+
+class WalkTo:
+    """Characters that walk to places, and stay at the last or begin `again`.
+
+    starts (C, 3): x, y, heading [m, rad]. stops (C, P, 2): the places in turn [m]. near [m]: how close is close enough on the
+    way; whoever was pushed past a place, with a free way to the next one, has reached it too. The last place is reached more
+    closely, unless others stand on it. Ways are straight but for what lies near: a maze needs stops along its way.
+    """
+
+    name = "WalkTo"
+    planning = _PLANNING
+
+    def __init__(self, starts: object, stops: object, again: bool = False, near: float = 0.5) -> None:
+        self.places, self.stops = np.array(starts, np.float64), np.array(stops, np.float64)
+        self.again, self.near = again, near
+        count, places = self.stops.shape[0], self.stops.shape[1] if self.stops.ndim == 3 else 0
+        if not places or self.stops.shape[2] != 2 or self.places.shape != (count, 3):
+            raise ValueError(f"starts {self.places.shape}, stops {self.stops.shape}: (C, 3) and (C, P, 2), P > 0, are needed")
+
+    def starts(self, world: World, characters: list[Character], seed: int) -> np.ndarray:
+        """(C, 3) x, y, heading."""
+        if len(characters) != len(self.places):
+            raise ValueError(f"{len(self.places)} starts for {len(characters)} characters: one for each is needed")
+        return self.places
+
+    def prepare(self, situation: Situation) -> Stops:
+        """Plans for all; a stop that was reached stays reached."""
+        plans = _empty_stops(len(situation.characters), 1)
+        plans.again[:], plans.near[:] = self.again, self.near
+        reached = plans.reached if situation.before is None else situation.before.reached
+        return plans._replace(start=self.places[:, :2].copy(), stops=self.stops, reached=reached)
+
+    def values(self) -> dict:
+        """What it was made with."""
+        return {"starts": self.places.tolist(), "stops": self.stops.tolist(), "again": self.again, "near": self.near}

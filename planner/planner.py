@@ -1,0 +1,62 @@
+"""What a planner is: the one seam by which footprints are chosen.
+
+A planner says where everyone starts, prepares what its steps need to know of the world, and is then asked, step by step, what a
+character wishes to do next: `next_step(round, me) -> Wish`. Rounds ask for real footprints, and for the tentative ones behind
+them; they lay them on the ground, time them, make way for others and move the body. Crowds, rounds and saved states know
+planners by this file alone.
+"""
+
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+
+from motion.characters.character import Character
+from motion.track.footprints import Footprints
+from planner.round.kernel import Planning
+from worlds.world import World
+
+
+class Situation(NamedTuple):
+    """Where C characters are when a planner prepares, at the start, and again whenever the world has changed."""
+
+    world: World
+    characters: list[Character]  # C of them
+    feet: Footprints  # (C, 2) the last two footprints of each
+    number: np.ndarray  # (C,) of the step that is planned next
+    seed: int
+    before: Any = None  # the plans so far; None at the start
+
+
+class NoWay(Exception):
+    """The task itself cannot be done. `gap` tells what stops it: from, to, distance [m], reach [m], where one is known."""
+
+    def __init__(self, message: str, gap: dict | None = None) -> None:
+        super().__init__(message)
+        self.gap = gap
+
+
+class Planner(Protocol):
+    """A way of choosing footprints."""
+
+    name: str
+    """By which saved states know it."""
+
+    @property
+    def planning(self) -> Planning:
+        """How next_step is called: planner.round.kernel.Compiled, or Interpreted."""
+
+    def starts(self, world: World, characters: list[Character], seed: int) -> np.ndarray:
+        """(C, 3) x, y [m], heading [rad] where each character stands at first. Raises InputError."""
+
+    def prepare(self, situation: Situation) -> Any:
+        """What steps need to know: None, or a NamedTuple of arrays over characters, which rounds hand to next_step.
+
+        All that the planner remembers lies in it, so it is saved with the crowd. Raises NoWay, and then nothing has changed.
+        """
+
+    def values(self) -> dict:
+        """What the planner was made with, as plain JSON values: keyword arguments of its class."""
+
+
+STAND_TIME = 0.5
+"""A standing character plans again after this time [s]."""

@@ -1,0 +1,112 @@
+"""From given footprints to footprints as they are walked: laid on the ground, timed, swings lifted over what lies between."""
+
+from math import nan, radians
+
+import numpy as np
+
+from motion.characters.character import Character
+from motion.characters.dimensions import Dimensions
+from motion.track.footprints import SIDES, STEP, Footprints, Step, step_in
+from planner.planner import STAND_TIME
+from planner.round.round import UNHURRIED, Wish
+from planner.script.footprint import Footprint
+from planner.stepping.placing import lay_swing
+from planner.stepping.taking import stand_at, take_step
+from worlds.arrays import WorldArrays, no_world
+from worlds.compiled.jit import jit
+from worlds.compiled.tables import empty
+from worlds.errors import InputError
+
+SUPPORTS = {"roll": nan, "middle": 0.5, "toe": 1.0}
+"""Where a standing foot presses: at one share of the sole throughout, heel to toe (paper, section 2.4), or NaN: it rolls."""
+SHORTEST_SWING = 0.05
+"""A foot must have left for this long [s] before it lands again."""
+
+
+def laid(
+    given: list[Footprint], character: Character, world: WorldArrays | None = None, stand_before: float = 0.4,
+    stand_after: float = 0.6, support: str = "roll", name: str = "track",
+) -> Footprints:  # fmt: skip
+    """Footprints to walk, from standing on the first two of those given to standing on the last two.
+
+    The first two are stood on for `stand_before` [s], the last for `stand_after` at least; times that are not given follow from
+    the distance stepped (paper, section 4.1). world: the ground, flat without one. Raises InputError, which says `name`, where
+    feet cannot do that.
+    """
+    steps = _steps(given, stand_before, name)
+    footprints = empty(Footprints, len(steps) + 2)
+    headings = _headings(given)
+    first = np.array([(*given[i].position, headings[i]) for i in range(2)])
+    ground = no_world() if world is None else world
+    biped, side = character.biped, SIDES.index(given[1].side)
+    lay_steps(biped, ground, footprints, side, first, steps, SUPPORTS[support], stand_after)
+    _check(footprints, name)
+    return footprints
+
+
+@jit
+def lay_steps(
+    biped: Dimensions, world: WorldArrays, footprints: Footprints, side: int, first: np.ndarray, steps: np.ndarray,
+    support: float, rest: float,
+) -> None:  # fmt: skip
+    """Fills footprints (K + 2,): two to stand on at `first` (2, 3), the second of foot `side`, and those of steps (K,)."""
+    stand_at(biped, world, footprints, side, first, 0.0)
+    n = len(footprints.side)
+    for k in range(2, n):
+        step = step_in(steps[k - 2])
+        take_step(biped, world, footprints, k, Wish(step, step.heading, UNHURRIED, False, False))
+    footprints.roll[n - 2 : n, 1] = 0.5
+    if not np.isnan(support):
+        footprints.roll[2:n] = support
+    end = footprints.contact_time[n - 1] + rest
+    footprints.stance_time[n - 2 : n] = end + STAND_TIME - footprints.contact_time[n - 2 : n]
+    for k in range(2, n):
+        lay_swing(biped, world, footprints, k)
+
+
+def _headings(given: list[Footprint]) -> np.ndarray:
+    return np.unwrap(np.radians([footprint.heading_deg for footprint in given]))
+
+
+def _steps(given: list[Footprint], stand_before: float, name: str) -> np.ndarray:
+    """The steps (K,) STEP after the first two footprints: onto each one, or standing on. Raises InputError."""
+    if len(given) < 3:
+        raise InputError(f"{name}: {len(given)} footprints; at least three are needed: two to stand on, and a step")
+    steps, headings = [], _headings(given)
+    if stand_before:
+        steps += _standing(given, 1, given[2].side, stand_before, headings)
+    for i in range(2, len(given)):
+        before, footprint = given[i - 1], given[i]
+        time, stance = (nan if t is None else t for t in (before.step_time, before.stance_time))
+        side, facing = SIDES.index(footprint.side), radians(footprint.facing_deg)
+        x, y = footprint.position
+        steps.append(Step(side, x, y, headings[i], time, stance, 0.0, footprint.crouch, facing))
+        if footprint.stand:
+            if before.side == footprint.side:
+                raise InputError(f"{name}: footprint.{i}.stand: after a hop the other foot is in the air; add its footprint")
+            following = given[i + 1].side if i + 1 < len(given) else before.side
+            steps += _standing(given, i, following, footprint.stand, headings)
+    return np.array(steps, STEP)
+
+
+def _standing(given: list[Footprint], i: int, following: str, seconds: float, headings: np.ndarray) -> list[Step]:
+    """Standing on footprints i - 1 and i, in the order that lets foot `following` step next."""
+    order = [i - 1] if given[i - 1].side != following else [i - 1, i]
+    crouch, facing, each = given[i].crouch, radians(given[i].facing_deg), seconds / len(order)
+    return [Step(SIDES.index(given[k].side), *given[k].position, headings[k], nan, nan, each, crouch, facing) for k in order]
+
+
+def _check(footprints: Footprints, name: str) -> None:
+    """A foot must leave before it lands again. Raises InputError."""
+    last: dict[int, int] = {}
+    for n, side in enumerate(footprints.side.tolist()):
+        moved = side in last and np.abs(footprints.position[n] - footprints.position[last[side]]).max() > 1e-9
+        left = footprints.contact_time[last[side]] + footprints.stance_time[last[side]] if moved else -np.inf
+        if left > footprints.contact_time[n] - SHORTEST_SWING:
+            x, y, _ = footprints.position[n]
+            raise InputError(
+                f"{name}: the {SIDES[side]} foot lands on ({x:.2f}, {y:.2f}) at "
+                f"{footprints.contact_time[n]:.2f} s but has left its last footprint only at {left:.2f} s; "
+                "give that footprint a shorter stance_time, or the steps between longer step_times"
+            )
+        last[side] = n

@@ -1,0 +1,73 @@
+"""Steering over land: how far one can go straight on, the nearest clear heading, and a step toward it.
+
+The walker's middle goes in front of it. A heading too far away is reached by short steps that turn: the place where the
+walker is is always clear, so it can always turn round, and is never trapped.
+"""
+
+from math import cos, pi, sin
+from typing import NamedTuple
+
+from motion.characters.dimensions import Dimensions
+from worlds import queries
+from worlds.arrays import WorldArrays
+from worlds.compiled.jit import jit_borrowing
+
+LOOK_STEPS = 3.0
+"""Look-ahead in preferred steps."""
+FAN = 15
+"""Headings tried to either side, spread over half a turn."""
+MARGIN = 0.08
+"""Tolerance kept beyond the body's radius [m]."""
+
+
+class Onward(NamedTuple):
+    """Where a step brings the walker's middle."""
+
+    x: float  # [m]
+    y: float
+    heading: float  # [rad]
+    course: float  # where it goes on to, which the step may not reach [rad]
+
+
+@jit_borrowing
+def free_way(world: WorldArrays, x: float, y: float, course: float, margin: float, far: float) -> float:
+    """Distance [m] that one can go straight on with at least `margin` around, at most `far`."""
+    c, s, done = cos(course), sin(course), 0.0
+    while done < far:
+        room = queries.clearance(world, x + done * c, y + done * s) - margin
+        if room < 0:
+            return done - 0.05 if done > 0.05 else 0.0
+        done += max(room, 0.05)
+    return far
+
+
+@jit_borrowing
+def clear_course(world: WorldArrays, x: float, y: float, wanted: float, margin: float, look: float, right_first: bool) -> float:
+    """The offset [rad] from the wanted course that is nearest to it with a way as long as `look`, else the freest."""
+    best, best_free = 0.0, -1.0
+    for k in range(FAN + 1):
+        for turn in range(2 if k else 1):
+            sign = 1.0 if (turn == 0) != right_first else -1.0
+            offset = sign * k * pi / FAN
+            free = free_way(world, x, y, wanted + offset, margin, look)
+            if free >= look:
+                return offset
+            if free > best_free:
+                best, best_free = offset, free
+    return best
+
+
+@jit_borrowing
+def step_toward(
+    biped: Dimensions, world: WorldArrays, middle: tuple[float, float], heading: float, wanted: float, look: float,
+    right_first: bool,
+) -> Onward:  # fmt: skip
+    """A step toward the clear course that is nearest to the wanted one, shorter where it turns."""
+    x, y = middle
+    margin = min(biped.body.radius + MARGIN, queries.clearance(world, x, y) - 0.01)
+    course = wanted + clear_course(world, x, y, wanted, margin, look, right_first)
+    most, stride = biped.reach.max_turn, biped.gait.preferred_step
+    turn = min(max(course - heading, -most), most)
+    free = free_way(world, x, y, heading + turn, margin, stride)
+    length = min(stride * max(1 - 0.5 * abs(turn) / most, 0.3), free)
+    return Onward(x + length * cos(heading + turn), y + length * sin(heading + turn), heading + turn, course)

@@ -1,0 +1,99 @@
+"""Taking a step in a row of footprints: where it lands, how the feet roll, and the timing of the footprint that it leaves."""
+
+from math import isnan
+
+import numpy as np
+
+from motion.characters.dimensions import Dimensions
+from motion.track.footprints import Footprints, Step, place, rise, stand_on, step_length, step_onto
+from planner.round.round import Wish
+from planner.stepping import timing
+from planner.stepping.placing import EDGE, forwardness, lay_sole
+from worlds import queries
+from worlds.arrays import WorldArrays
+from worlds.compiled.jit import jit_borrowing
+
+START_OVERLAP = 0.6
+"""Shift of weight before the first step from standing, in pendulum times of the hip's height."""
+
+
+@jit_borrowing
+def stand_at(
+    biped: Dimensions, world: WorldArrays, footprints: Footprints, side: int, places: np.ndarray, contact: float
+) -> None:
+    """Fills the first two rows: standing at places (2, 3) x, y, heading, the second with foot `side` since `contact` [s]."""
+    for i in range(2):
+        x, y, heading = places[i, 0], places[i, 1], places[i, 2]
+        rock = queries.rock_under(world, x, y, EDGE)
+        step = step_onto(side if i == 1 else 1 - side, x, y, heading)
+        place(footprints, i, step, lay_sole(biped, world, x, y, heading, rock), rock)
+        footprints.contact_time[i] = contact - 0.5 * (1 - i)
+        footprints.stance_time[i], footprints.step_time[i] = 1.0, 0.5
+        footprints.roll[i, 0] = footprints.roll[i, 1] = 0.5
+        footprints.nominal_length[i], footprints.facing[i] = biped.leg.nominal_length, 0.0
+
+
+@jit_borrowing
+def take_step(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: int, wish: Wish) -> None:
+    """Puts the footprint of a wished step at row n, after the rows before, and times the one that it leaves."""
+    step = wish.step
+    if step.stands > 0:
+        stand_on(footprints, n)
+    else:
+        rock = queries.rock_under(world, step.x, step.y, EDGE)
+        place(footprints, n, step, lay_sole(biped, world, step.x, step.y, step.heading, rock), rock)
+    _roll(footprints, n)
+    time, stance = _timing(biped, footprints, n, wish)
+    _set_timing(biped, footprints, n, time, stance)
+    footprints.nominal_length[n] *= step.crouch
+    footprints.facing[n] = step.facing
+
+
+@jit_borrowing
+def _roll(footprints: Footprints, n: int) -> None:
+    """Where the support begins on footprint n and ends on n - 1: heel to toe forward, toe to heel backward, else between."""
+    ahead = 0.0
+    if not footprints.stands[n]:
+        start, goal = footprints.position[n - 1], footprints.position[n]
+        ahead = forwardness(start, goal, footprints.heading[n])
+        footprints.roll[n - 1, 1] = 0.5 + 0.5 * forwardness(start, goal, footprints.heading[n - 1])
+    footprints.roll[n, 0] = 0.5 - 0.5 * ahead
+    footprints.roll[n, 1] = 0.5 + 0.5 * ahead
+
+
+@jit_borrowing
+def _timing(biped: Dimensions, footprints: Footprints, n: int, wish: Wish) -> tuple[float, float]:
+    """(step time, stance time) of footprint n - 1: automatic (paper, section 4.1), but for what is asked for."""
+    asked = wish.step
+    if asked.stands > 0:
+        return _as_asked(asked, asked.stands, asked.stands + START_OVERLAP * timing.hip_pendulum(biped))
+    turn = abs(footprints.heading[n] - footprints.heading[n - 1])
+    hop = asked.side == footprints.side[n - 1]
+    step, stance = timing.step_timing(biped, step_length(footprints, n), rise(footprints, n), turn, hop, wish.longest)
+    overlap = footprints.contact_time[n - 2] + footprints.stance_time[n - 2] - footprints.contact_time[n - 1]
+    longer = max(timing.least_step_time(biped, overlap) - step, 0.0)
+    return _as_asked(asked, step + longer, stance + longer)
+
+
+@jit_borrowing
+def _as_asked(asked: Step, step: float, stance: float) -> tuple[float, float]:
+    """Where one of the two times is asked for, or both; a stance that is not keeps its share of the step."""
+    if not isnan(asked.stance_time):
+        stance = asked.stance_time
+    elif not isnan(asked.time):
+        stance *= asked.time / step
+    return (step if isnan(asked.time) else asked.time), stance
+
+
+@jit_borrowing
+def _set_timing(biped: Dimensions, footprints: Footprints, n: int, step: float, stance: float) -> None:
+    """Sets the timing of footprint n - 1, the same as a first guess for n's own, and the leg that the pace asks for."""
+    stands = footprints.stands[n]
+    if stands:
+        footprints.stance_time[n - 2] = footprints.contact_time[n - 1] + step - footprints.contact_time[n - 2]
+        footprints.roll[n - 2, 1] = 0.5
+    for k in range(n - 1, n + 1):
+        footprints.step_time[k], footprints.stance_time[k] = step, stance
+    footprints.contact_time[n] = footprints.contact_time[n - 1] + step
+    usual = timing.nominal_length(biped, step_length(footprints, n), step, rise(footprints, n))
+    footprints.nominal_length[n] = biped.leg.nominal_length if stands else usual

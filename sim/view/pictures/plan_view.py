@@ -1,0 +1,53 @@
+"""The plan view drawn by pygame alone: what is left where there is no OpenGL."""
+
+import itertools
+import os
+from typing import Any
+
+import numpy as np
+
+from sim.stage.cast import Cast
+from sim.view.scenery.trail import Trail
+
+GRASS, WATER, TREE, STONE = (119, 146, 84), (64, 118, 130), (58, 88, 48), (143, 141, 136)
+SOLE, BODY = (70, 62, 41), (250, 245, 230)
+
+
+def draw_plan(surface: Any, sim: Cast, trail: Trail, centre: np.ndarray, metres: float) -> None:
+    """Draws world, footprints and bodies from above, `metres` wide around `centre` (2,), on a pygame surface."""
+    import pygame
+
+    size = np.array(surface.get_size())
+    scale = size[0] / metres
+
+    def at(places: Any) -> np.ndarray:
+        """Pixels (N, 2) of places (N, 2 or more)."""
+        return (size / 2 + (np.reshape(places, (len(places), -1))[:, :2] - centre) * (scale, -scale)).astype(int)
+
+    def stamp(places: Any, radius: int, colour: tuple[int, int, int]) -> None:
+        disc = pygame.Surface((2 * radius + 1, 2 * radius + 1), pygame.SRCALPHA)
+        pygame.draw.circle(disc, colour, (radius, radius), radius)
+        surface.fblits([(disc, corner) for corner in (at(places) - radius).tolist()])
+
+    surface.fill(GRASS)
+    for river in sim.world.rivers:
+        for a, b in itertools.pairwise(at(river.points)):
+            pygame.draw.line(surface, WATER, a.tolist(), b.tolist(), max(int(river.width * scale), 1))
+        stamp(river.points, int(river.width / 2 * scale), WATER)
+    for things, colour in ((sim.world.rocks, STONE), (sim.world.trees, TREE)):
+        for place, thing in zip(at(things), things, strict=True):
+            pygame.draw.circle(surface, colour, place.tolist(), max(int(thing[2] * scale), 1))
+    trail.look(sim)
+    for rows, count in zip(trail.rows, trail.count, strict=True):
+        stamp(rows[:count][rows[:count, 7] <= sim.time], max(int(0.05 * scale), 2), SOLE)
+    stamp(sim.com(), max(int(0.16 * scale), 3), BODY)
+
+
+def plan_picture(sim: Cast, size: tuple[int, int]) -> np.ndarray:
+    """(height, width, 3) uint8 plan view around the first character."""
+    os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
+    import pygame
+
+    surface = pygame.Surface(size)
+    draw_plan(surface, sim, Trail(most=400), sim.com()[0, :2], 16.0)
+    return np.ascontiguousarray(pygame.surfarray.array3d(surface).swapaxes(0, 1))

@@ -1,0 +1,103 @@
+"""The live window: what is laid against the foot's own kernels, the guess of its end, and E against tight solutions."""
+
+import numpy as np
+import pytest
+
+from motion.characters.character import load_character
+from motion.com import laying, newton, window
+from motion.track import curve, foot, heading, phases
+from motion.track.curve import Curve
+from sim.bench import live
+from tests import reference
+from tests.walks import straight_walk
+
+
+@pytest.fixture(scope="module")
+def windows():
+    return live.wander_windows("bird", seed=3)[2]
+
+
+@pytest.mark.parametrize("by_step", [False, True])
+def test_laying_asks_the_foot_and_the_heading(windows, by_step):
+    for one in windows[::16]:
+        b, footprints, end = one.biped, one.footprints, window.window_end(one.footprints)
+        problem, _ = laying.build_problem(b, footprints, one.begin, end, laying.Layout(5, by_step))
+        for i, j in np.ndindex(len(problem.time) - 1, len(problem.standing)):
+            t = problem.time[i] + (j + 0.5) / 5 * (problem.time[i + 1] - problem.time[i])
+            support = phases.support_at(footprints, 0, t)
+            check_legs(b, footprints, support, t, problem.standing[j, :, i], problem.leg_origin[j, :, :, i])
+            for leg, n in enumerate(support):
+                if n >= 0:
+                    point = foot.point_of_support(
+                        b, footprints, n, (t - footprints.contact_time[n]) / footprints.stance_time[n]
+                    )
+                    np.testing.assert_allclose(problem.support_point[j, leg, :, i], point, atol=1e-12)
+            if j in (0, 4):
+                end = j // 4
+                edge = problem.time[i + end]
+                check_legs(b, footprints, support, edge, problem.end_standing[end, :, i], problem.end_origin[end, :, :, i])
+
+
+def check_legs(b, footprints, support, t, standing, origin):
+    yaw = heading.body_heading(b, footprints, t)
+    for leg, n in enumerate(support):
+        assert standing[leg] == (n >= 0)
+        if n >= 0:
+            u = min(max((t - footprints.contact_time[n]) / footprints.stance_time[n], 0.0), 1.0)
+            expected = np.array(foot.stance_ankle(b, footprints, n, u)) - foot.hip_offset(b, leg, yaw)
+            np.testing.assert_allclose(origin[leg], expected, atol=1e-12)
+
+
+def test_headings_at_many_times_are_those_at_each(windows):
+    one = windows[40]
+    times = np.linspace(one.footprints.contact_time[0] - 2.0, one.footprints.contact_time[-1] + 2.0, 400)
+    out = np.empty(400)
+    heading.body_headings(one.biped, one.footprints, times, out)
+    np.testing.assert_allclose(out, [heading.body_heading(one.biped, one.footprints, t) for t in times], atol=1e-12)
+
+
+def test_a_regular_walk_is_foreseen_exactly():
+    """On a straight walk the state four footprints on is the same one moved along: the guess finds it."""
+    b = load_character("human").biped
+    footprints = straight_walk(b, 12)
+    stride = footprints.position[8] - footprints.position[4]
+    later = footprints.contact_time[8] - footprints.contact_time[4]
+    old = Curve(
+        np.linspace(footprints.contact_time[1], footprints.contact_time[10], 40),
+        np.random.default_rng(1).normal(size=(40, 6)),
+        np.full((40, 2), -1),
+    )
+    problem, _ = window.lay_window(b, footprints, footprints.contact_time[6])
+    control = np.zeros((len(problem.time), 6))
+    window.begin_window(footprints, problem, control, old.control[0], old)
+    scratch, expected = np.empty(3), np.empty(6)
+    curve.evaluate(old, problem.time[-1] - later, expected[:3], expected[3:], scratch)
+    np.testing.assert_allclose(control[-1], expected + np.concatenate([stride, np.zeros(3)]), atol=1e-9)
+    np.testing.assert_array_equal(problem.anchor, control[-1])
+    assert (problem.anchor_stiffness > 0).all()
+
+
+def test_an_irregular_end_is_left_free():
+    b = load_character("human").biped
+    footprints = straight_walk(b, 12)
+    footprints.side[11] = footprints.side[10]
+    old = Curve(footprints.contact_time[1:11].copy(), np.zeros((10, 6)), np.full((10, 2), -1))
+    problem, _ = window.lay_window(b, footprints, footprints.contact_time[6])
+    control = np.zeros((len(problem.time), 6))
+    window.begin_window(footprints, problem, control, old.control[0], old)
+    assert (problem.anchor_stiffness == 0).all()
+
+
+def test_cost_of_a_window_is_its_twin(windows):
+    """The springs at its end included."""
+    one = windows[30]
+    problem, _ = window.lay_window(one.biped, one.footprints, one.begin)
+    control = np.zeros((len(problem.time), 6))
+    window.begin_window(one.footprints, problem, control, one.start, one.last)
+    control[1:] += np.random.default_rng(2).normal(0, 0.02, control[1:].shape)
+    assert (problem.anchor_stiffness > 0).all()
+    assert window.problems.total_cost(problem, control) == pytest.approx(reference.total_cost(problem, control), rel=1e-9)
+
+
+def test_windows_are_near_their_tight_solutions(windows):
+    assert live.over_tight(windows[::4], newton.LIVE) <= 1.03

@@ -1,0 +1,79 @@
+"""Feet, legs and heading: exact where they must be, smooth everywhere."""
+
+import numpy as np
+import pytest
+
+from motion.characters.character import character_names, load_character
+from motion.pose import legs, swing
+from motion.pose.pose import empty_pose
+from motion.pose.posing import pose_kernel
+from motion.track import foot, heading
+from motion.track.curve import Track
+from tests.walks import solved, straight_walk
+
+
+@pytest.mark.parametrize("name", character_names())
+def test_pose_is_exact_and_smooth(name):
+    b = load_character(name).biped
+    footprints = straight_walk(b, turn=0.1)
+    track = Track(footprints, solved(b, footprints))
+    pose, last = empty_pose(1), None
+    for t in np.arange(footprints.contact_time[4], footprints.contact_time[9], 1e-3):
+        pose_kernel(b, track, t, pose, 0)
+        for side in (0, 1):
+            if pose.contact[0, side]:
+                n = max(i for i in range(14) if footprints.side[i] == side and footprints.contact_time[i] <= t)
+                toe = foot.along_sole(footprints, n, 0.5 * b.foot.length, 0.0)
+                np.testing.assert_allclose(pose.toe[0, side], toe, atol=1e-9)
+            links = np.linalg.norm(pose.hip - pose.knee, axis=2)[0, side]
+            assert links >= b.leg.thigh - 1e-9
+        joints = np.concatenate([pose.knee, pose.hock, pose.ankle, pose.heel, pose.toe], axis=1)
+        if last is not None:
+            assert np.abs(joints - last).max() < 0.02 * (1 + b.gait.preferred_step)
+        last = joints.copy()
+
+
+def test_knees_bend_forward():
+    for name in character_names():
+        b = load_character(name).biped
+        knee, hock = legs.joints(b, (0.0, 0.0, b.timing.hip_height), (0.0, 0.0, b.foot.ankle_height), (1.0, 0.0, 0.0))
+        assert knee[0] > 0
+        if b.leg.metatarsus:
+            assert hock[0] < 0
+        lengths = [np.linalg.norm(np.subtract(*pair)) for pair in (((0, 0, b.timing.hip_height), knee), (knee, hock))]
+        assert lengths == pytest.approx([b.leg.thigh, b.leg.shank])
+
+
+def test_point_of_support_rolls_from_heel_to_toe():
+    b = load_character("human").biped
+    footprints = straight_walk(b)
+    for u in (0.0, 0.3, 1.0):
+        at = foot.point_of_support(b, footprints, 3, u)
+        assert at[0] - footprints.position[3, 0] == pytest.approx((u - 0.5) * b.foot.length)
+
+
+def test_heel_off_lifts_the_ankle_nine_centimetres():
+    b, footprints = load_character("human").biped, straight_walk(load_character("human").biped)
+    flat, off = foot.stance_ankle(b, footprints, 3, 0.5), foot.stance_ankle(b, footprints, 3, 1.0)
+    assert flat == pytest.approx(foot.stance_ankle(b, footprints, 3, 0.0))
+    assert off[2] - flat[2] == pytest.approx(0.06, abs=0.03) and off[0] - flat[0] == pytest.approx(0.08, abs=0.03)
+
+
+def test_swing_starts_and_ends_on_its_footprints():
+    b = load_character("human").biped
+    footprints = straight_walk(b)
+    for s, n in ((0.0, 3), (1.0, 5)):
+        sole = swing.sole_at(b, footprints, 3, 5, s)
+        np.testing.assert_allclose(sole.ball, foot.along_sole(footprints, n, b.foot.ball_forward, 0.0), atol=1e-12)
+        assert sole.pitch == pytest.approx(b.foot.heel_off_angle * (1 - s)) == sole.flex
+
+
+def test_heading_is_the_box_average_of_the_line():
+    b = load_character("human").biped
+    footprints = straight_walk(b, turn=0.2)
+    window_length = heading.window_length(b)
+    value = 0.5 * (footprints.heading + np.append(footprints.heading[1:], footprints.heading[-1]))
+    for t in (1.3, 2.2, 3.05):
+        taus = np.linspace(t - window_length, t, 20001)
+        expected = np.interp(taus, footprints.contact_time, value).mean()
+        assert heading.body_heading(b, footprints, t) == pytest.approx(expected, abs=1e-4)

@@ -1,0 +1,113 @@
+"""A* on rocks against Dijkstra over the same states, and what a route promises."""
+
+from heapq import heappop, heappush
+
+import numpy as np
+import pytest
+
+from motion.characters.character import load_character
+from motion.track.footprints import Footprints
+from planner.planner import NoWay, Situation
+from planner.river import search
+from planner.river.rock_hop import RockHop
+from planner.river.route import route
+from worlds import queries
+from worlds.compiled.tables import empty
+from worlds.level import load_level
+
+HUMAN = load_character("human").biped
+
+
+def dijkstra(b, spots, start, foot):
+    """Cost of the cheapest way, by plain Dijkstra without a heuristic."""
+    place, rock, walks = spots
+    k = len(rock)
+    heap, done = [(0.0, (start, -1, foot, 1))], set()
+    while heap:
+        cost, state = heappop(heap)
+        if state in done:
+            continue
+        done.add(state)
+        spot, before, foot, arrived = state
+        if spot == k + 1:
+            return cost
+        if arrived and (spot == k or rock[spot] < 0):
+            for j in range(k + 1):
+                for last in (0, 1):
+                    if np.isfinite(walks[spot, j]):
+                        heappush(heap, (cost + walks[spot, j], (k + 1 if j == k else j, -1, last, 0)))
+        elif spot < k:
+            for j in range(k):
+                if j != spot and search.can_step(b, spots, spot, j):
+                    for hop in (False, True):
+                        step = search.directed_cost(b, place, before, spot, j, foot, hop)
+                        if np.isfinite(step):
+                            heappush(heap, (cost + step, (j, spot, foot if hop else 1 - foot, 1)))
+    return np.inf
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_star_costs_what_dijkstra_costs(seed):
+    rng = np.random.default_rng(seed)
+    k = 14
+    place = np.column_stack([rng.uniform(0, 5, k + 2), rng.uniform(0, 2, k + 2), rng.uniform(0, 0.2, k + 2)])
+    place[0], place[1], place[k], place[k + 1] = (0, 1, 0), (5, 1, 0), (-1, 1, 0), (6, 1, 0)
+    rock = np.arange(k)
+    rock[:2] = -1
+    walks = np.full((k + 1, k + 1), np.inf)
+    walks[k, 0], walks[1, k] = 0.8, 0.8
+    spots = search.Spots(place, rock, walks)
+    states, _ = search.find(HUMAN, spots, k, 0)
+    expected = dijkstra(HUMAN, spots, k, 0)
+    if not len(states):
+        assert expected == np.inf
+        return
+    cost = 0.0
+    for (a, before, foot, _), (z, _, then, arrived) in zip(states, states[1:], strict=False):
+        walked = walks[a, k if z == k + 1 else z] if not arrived else 0.0
+        cost += walked or search.directed_cost(HUMAN, place, before if before < k else -1, a, z, foot, foot == then)
+    assert cost == pytest.approx(expected)
+
+
+def standing(world):
+    x, y = world.start
+    return empty(Footprints, 2)._replace(side=np.array([1, 0]), position=np.array([[x, y - 0.06, 0.0], [x, y + 0.06, 0.0]]))
+
+
+@pytest.mark.parametrize("name", ["river_easy", "river_long_steps", "river_leaps", "river_delta", "rock_field"])
+def test_routes_stand_wholly_on_rocks_or_land(name):
+    world = load_level(name)
+    sole = 0.5 * HUMAN.foot.length
+    steps = route(world, load_character("human"), standing(world))
+    side, place = np.array([step.side for step in steps]), np.array([(step.x, step.y) for step in steps])
+    assert np.hypot(*(place[-1] - world.goal)) < world.goal_radius
+    for x, y in place:
+        assert queries.rock_under(world.arrays, x, y, sole) >= 0 or queries.water_clearance(world.arrays, x, y) >= sole
+    lengths = np.hypot(*np.diff(place, axis=0).T)
+    assert lengths[np.diff(side) == 0].max(initial=0) <= HUMAN.reach.max_step and lengths.max() <= HUMAN.reach.max_leap + 0.2
+    assert np.abs(np.diff([step.heading for step in steps])).max() < 2.0
+
+
+def test_hops_where_a_foot_would_have_to_cross():
+    """Three stones that turn right by 60 degrees twice: one of the turns would cross the legs, so a foot hops."""
+    ways = np.radians([0, -60, -120])
+    corners = 0.9 * np.cumsum(np.column_stack([np.cos(ways), np.sin(ways)]), axis=0)
+    height = [0.35, 0.5, 0.1, -0.3]  # too high for short cuts
+    place = np.vstack([np.column_stack([[(0, 0), *corners], height]), [(-1, 0, 0), (0, -2, 0)]])
+    walks = np.full((5, 5), np.inf)
+    walks[4, 0] = walks[3, 4] = 1.0
+    states, _ = search.find(HUMAN, search.Spots(place, np.array([-1, 0, 1, -1]), walks), 4, 0)
+    spots, feet = states[:, 0], states[:, 2]
+    assert list(spots) == [4, 0, 1, 2, 3, 5]
+    assert sum(feet[k] == feet[k + 1] for k in (1, 2, 3)) == 1
+
+
+def test_no_way_names_the_gap():
+    world = load_level("river_impossible")
+    with pytest.raises(NoWay) as told:
+        route(world, load_character("bird"), standing(world))
+    assert told.value.gap["distance"] > told.value.gap["reach"]
+    bridged = world.with_rock(12.6, 8.0, 0.5, 0.2).with_rock(13.3, 8.0, 0.5, 0.2).with_rock(14.1, 8.0, 0.5, 0.2)
+    feet = Footprints(*(column[None] for column in standing(world)))
+    situation = Situation(bridged, [load_character("bird")], feet, np.array([3]), 0)
+    assert RockHop().prepare(situation).length[0] > 10

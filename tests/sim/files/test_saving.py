@@ -1,0 +1,137 @@
+"""A run that was saved and restored goes on bit by bit; files of another kind, version or state of health are refused."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import main
+from motion.characters.character import load_character
+from planner.modes.walk_to import WalkTo
+from sim.files.archive import flat
+from sim.files.saving import restore, save
+from sim.stage.commands import SetGoal, apply
+from sim.stage.making import make_simulation
+from sim.stage.simulation import Simulation
+from worlds.errors import InputError
+from worlds.world import World
+
+ROOT = Path(main.__file__).parent
+
+
+def ticked(sim, ticks):
+    for _ in range(ticks):
+        sim.tick()
+    return sim
+
+
+def rows(table):
+    return [] if table is None else list(flat("", table).items())
+
+
+def same(a, b):
+    assert a.ticks == b.ticks and a.footprints.steps == b.footprints.steps
+    for left, right in ((a.crowd, b.crowd), (a.plans, b.plans), (a.snapshot(), b.snapshot())):
+        for (name, x), y in zip(rows(left), rows(right), strict=True):
+            assert x.tobytes() == y[1].tobytes(), name
+
+
+def walkers():
+    world = World("floor", (20.0, 20.0), start=(10.0, 10.0))
+    starts, stops = [(6.0, 10.0, 0.0), (14.0, 10.0, np.pi)], [[(14.0, 10.0), (10.0, 14.0)], [(6.0, 10.0), (10.0, 6.0)]]
+    return Simulation(world, [load_character("human"), load_character("bird")], WalkTo(starts, stops, again=True), 4)
+
+
+MADE = {
+    "crowd": lambda: make_simulation("dense_forest", "bird", 12, 3, False),
+    "river": lambda: make_simulation("river_easy", "human", 1, 0, True),
+    "walkers": walkers,
+}
+
+
+@pytest.mark.parametrize("kind", MADE)
+def test_a_restored_run_goes_on_bit_by_bit(kind, tmp_path):
+    whole = ticked(MADE[kind](), 400)
+    save(whole, tmp_path / "state.npz")
+    restored = restore(tmp_path / "state.npz")
+    same(whole, restored)
+    same(ticked(whole, 400), ticked(restored, 400))
+
+
+def test_edits_and_replanning_go_on_too(tmp_path):
+    whole = ticked(make_simulation("river_easy", "human", 1, 0, True), 200)
+    save(whole, tmp_path / "state.npz")
+    restored = restore(tmp_path / "state.npz")
+    for sim in (whole, restored):
+        apply(sim, SetGoal(3.0, 9.0))
+        ticked(sim, 300)
+    same(whole, restored)
+
+
+def test_kept_footprints_are_saved(tmp_path):
+    sim = make_simulation("forest", "bird", 2, 1, False)
+    sim.keep_footprints()
+    save(ticked(sim, 900), tmp_path / "state.npz")
+    again = restore(tmp_path / "state.npz")
+    for (name, a), b in zip(
+        sim.footprints.arrays(sim.crowd).items(), again.footprints.arrays(again.crowd).values(), strict=True
+    ):
+        np.testing.assert_array_equal(a, b, err_msg=name)
+
+
+def test_nothing_grows_unless_it_is_kept():
+    sim = ticked(make_simulation("forest", "bird", 1, 1, False), 3000)
+    assert sim.footprints.kept() == {} and sim.footprints.steps > 50
+    assert len(sim.footprints.arrays(sim.crowd)["footprint_side"]) <= sim.crowd.footprints.side.shape[1]
+
+
+def test_another_process_goes_on_bit_by_bit(tmp_path):
+    state, end, other = (str(tmp_path / f"{name}.npz") for name in ("state", "end", "other"))
+    run = [sys.executable, "main.py", "wander", "--headless", "--json", "--characters", "5", "--seed", "2"]
+    subprocess.run([*run, "--seconds", "12", "--save", state], cwd=ROOT, check=True, capture_output=True)
+    told = subprocess.run(
+        [*run, "--restore", state, "--seconds", "20", "--save", end], cwd=ROOT, check=True, capture_output=True
+    )
+    subprocess.run([*run, "--seconds", "20", "--save", other], cwd=ROOT, check=True, capture_output=True)
+    same(restore(end), restore(other))
+    assert json.loads(told.stdout)["seconds"] == 20.0
+
+
+def test_bad_states_are_refused(tmp_path, capsys):
+    path, state = tmp_path / "bad.npz", tmp_path / "state.npz"
+    save(make_simulation("forest", "bird", 1, 1, False), state)
+    whole = state.read_bytes()
+    with np.load(state) as file:
+        arrays = {name: file[name] for name in file.files}
+    meta = json.loads(str(arrays["meta"]))
+
+    def stored(changed=None, **new):
+        np.savez(path, allow_pickle=False, **(arrays | new | {"meta": np.array(json.dumps(meta | (changed or {})))}))
+
+    spoiled = {
+        "no such file": lambda: path.unlink(missing_ok=True),
+        "not readable": lambda: path.write_bytes(whole[: len(whole) // 2]),
+        "version '0.0.1'": lambda: stored({"version": "0.0.1"}),
+        "meta.format": lambda: stored({"format": 99}),
+        "contents are not": lambda: stored(**{"crowd.real": arrays["crowd.real"] + 1}),
+        "lacks": lambda: np.savez(path, a=np.zeros(3)),
+    }
+    for said, spoil in spoiled.items():
+        spoil()
+        with pytest.raises(InputError, match=said):
+            restore(path)
+        assert main.main(["--headless", "--seconds", "1", "--restore", str(path)]) == 2
+        assert "Traceback" not in capsys.readouterr().err
+    assert main.main(["--headless", "--seconds", "0.01", "--restore", str(state), "--json"]) in (0, 2)
+    assert main.main(["--headless", "--seconds", "1", "--save", str(tmp_path / "no" / "s.npz")]) == 2
+
+
+def test_versions_agree():
+    import tomllib
+
+    from sim import VERSION
+
+    assert tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"] == VERSION

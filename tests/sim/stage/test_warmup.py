@@ -1,0 +1,84 @@
+"""The first start compiles kernels for the very types that they are called with later."""
+
+import subprocess
+import sys
+from unittest.mock import Mock
+
+import numpy as np
+import pytest
+
+from motion import motion
+from motion.characters.character import load_character
+from planner.modes.wander import Wander
+from planner.script import laying
+from planner.script.scene import load_scene
+from sim.rows import crowd, posing, rounds
+from sim.stage import warmup
+from sim.stage.performance import Performance
+from sim.stage.simulation import Simulation
+from worlds.compiled.parts import Part
+from worlds.level import load_level
+
+
+def test_nothing_is_left_to_compile():
+    kernels = [kernel for step in warmup.steps().values() for kernel, _ in step]
+    warmup._compile(tuple(warmup.steps()), tuple(warmup.steps()), lambda line: None)
+    compiled = [_compiled(kernel) for kernel in kernels]
+    sim = Simulation(load_level("forest"), [load_character("human")] * 3, Wander(), 1)
+    for _ in range(90):
+        sim.tick()
+    sim.snapshot(), sim.com()
+    Performance(load_scene("fig01_steps_and_a_hop"))
+    assert {
+        rounds.advance_all,
+        rounds.plan_step,
+        rounds.optimise_step,
+        motion.solve_track,
+        laying.lay_steps,
+        posing.pose_all,
+        crowd.stand,
+    } <= set(kernels)
+    assert [_compiled(kernel) for kernel in kernels] == compiled
+
+
+def test_threads_run_before_kernels_are_loaded():
+    """Else a kernel from the cache that calls a parallel one may find nothing there: see worlds.compiled.jit.start_threads."""
+    alone = """
+import numba
+from motion.characters.character import load_character
+from sim.stage.cast import Cast
+from worlds.world import World
+Cast(World("empty", (9.0, 9.0)), [load_character("bird")], 1, 60)
+print(numba.threading_layer())
+"""
+    ran = subprocess.run([sys.executable, "-c", alone], cwd=warmup.ROOT, capture_output=True, text=True, check=False)
+    assert ran.stdout == "workqueue\n", ran.stderr
+
+
+def _compiled(kernel) -> list:
+    return [kernel.address] if isinstance(kernel, Part) else list(kernel.signatures)
+
+
+def test_progress_names_what_is_compiled(tmp_path, monkeypatch):
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(warmup, "steps", lambda: {name: [] for name in (*warmup.OURS, *warmup.HELPERS)})
+    helped = Mock(poll=lambda: 0)
+    monkeypatch.setattr(warmup.subprocess, "Popen", Mock(return_value=helped))
+    told: list[str] = []
+    warmup.warm_up("wander", told.append)
+    count = len(warmup.OURS) + len(warmup.HELPERS)
+    assert told == [f"compiling 1 of {count}: window solve ...", f"compiling 2 of {count}: tick of the crowd ..."]
+    helped.wait.assert_called_once()
+    warmup.warm_up("wander", told.append)
+    assert len(told) == 2
+
+
+@pytest.mark.parametrize("some", [[2, 0], [1]])
+def test_posing_some_is_posing_all(some):
+    sim = Simulation(load_level("forest"), [load_character("bird")] * 3, Wander(), 2)
+    for _ in range(100):
+        sim.tick()
+    everyone, few = sim.snapshot(), sim.snapshot(rows=np.array(some))
+    for all_of_it, part in zip(everyone, few, strict=True):
+        np.testing.assert_array_equal(all_of_it[some], part)
+    np.testing.assert_array_equal(sim.com(), everyone.com)

@@ -1,0 +1,59 @@
+"""Where compiled kernels are kept: a folder for these very sources.
+
+numba itself notices only edits of the file that holds a kernel, so an edited helper would leave its callers stale: the folder
+is named by a hash of all sources that hold kernels. A checkout keeps it beside the code, an installation in the user's own
+cache; where neither can be written, it is temporary.
+"""
+
+import hashlib
+import os
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+_PACKAGES = ("motion", "worlds", "planner", "sim")
+_KEPT = 4
+"""Folders of other sources that are left alone, the newest: going back to what was edited compiles nothing."""
+
+
+def source_key() -> str:
+    """Hash of the sources that hold kernels: all but the view's."""
+    digest = hashlib.sha256()
+    for package in _PACKAGES:
+        for path in sorted((ROOT / package).rglob("*.py")):
+            if "view" not in path.parts:
+                digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _home() -> Path:
+    """The user's own folder for what can be made anew."""
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+
+
+def folder() -> Path:
+    """The folder for compiled kernels, made where it is missing."""
+    key = source_key()
+    is_checkout = (ROOT / "pyproject.toml").is_file()
+    for place in (ROOT / ".numba_cache", _home() / "footfall") if is_checkout else (_home() / "footfall",):
+        try:
+            (place / key).mkdir(parents=True, exist_ok=True)
+        except OSError:
+            continue
+        if os.access(place / key, os.W_OK):
+            _forget_old(place, key)
+            return place / key
+    return Path(tempfile.gettempdir()) / f"footfall-{key}"
+
+
+def _forget_old(place: Path, key: str) -> None:
+    """Removes the folders of sources that have long been edited."""
+    others = sorted((path for path in place.iterdir() if path.is_dir() and path.name != key), key=lambda p: p.stat().st_mtime)
+    for path in others[:-_KEPT]:
+        shutil.rmtree(path, ignore_errors=True)
