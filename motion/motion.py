@@ -20,7 +20,7 @@ from motion.com.standing import above_feet
 from motion.com.window import Ends, Solved, optimise_track
 from motion.pose.bones import Bones, Placed
 from motion.pose.pose import Pose, empty_pose
-from motion.pose.posing import pose_kernel
+from motion.pose.posing import pose_into
 from motion.pose.skeleton import Skeleton, skeleton_of
 from motion.pose.turning import fill_bones, lay_bones
 from motion.track.curve import Curve, Track
@@ -55,7 +55,7 @@ class Motion:
         """The pose at a time [s], of one row."""
         pose = empty_pose(1)
         at = min(max(float(time), self.begin), self.end - 1e-9)
-        pose_kernel(self.character.biped, Track(self.footprints, self.curve), at, pose, 0)
+        pose_into(self.character.biped, Track(self.footprints, self.curve), at, pose)
         return pose
 
     @cached_property

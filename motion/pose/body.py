@@ -9,7 +9,7 @@ from motion.pose import limbs, trunk
 from motion.pose.pose import Pose
 from motion.track.curve import Track
 from motion.track.footprints import LEFT, RIGHT
-from worlds.compiled.jit import jit_inline, stack_array
+from worlds.compiled.jit import jit_borrowing, jit_inline, stack_array
 
 _empty_past = stack_array(trunk.PAST, 3)
 
@@ -27,7 +27,7 @@ def _turn(array: np.ndarray, c: int, rotation: rotations.Quaternion) -> None:
         array[c, i] = rotation[i]
 
 
-@jit_inline
+@jit_borrowing
 def _pose_arms(biped: Dimensions, chest: rotations.Axes, angles: tuple[float, float], pace: float, pose: Pose, c: int) -> None:
     """Arms against the legs, whose angles they are given."""
     for side in range(2):
@@ -38,7 +38,7 @@ def _pose_arms(biped: Dimensions, chest: rotations.Axes, angles: tuple[float, fl
             pose.hand[c, side, axis] = pose.com[c, axis] + joints[2][axis]
 
 
-@jit_inline
+@jit_borrowing
 def _pose_head(biped: Dimensions, headings: Triple, pitch: float, roll: float, bob: float, pose: Pose, c: int) -> None:
     """Neck and head, for the headings of body, chest and look; bob: how far the head is ahead of its middle place [m]."""
     body, loose, (yaw, chest, look) = biped.body, 1 - biped.body.head_steady, headings
@@ -52,15 +52,15 @@ def _pose_head(biped: Dimensions, headings: Triple, pitch: float, roll: float, b
 
 
 @jit_inline
-def pose_body(biped: Dimensions, track: Track, yaw: float, swung: tuple[float, float], t: float, pose: Pose, c: int) -> None:
-    """Everything above the legs; swung as feet.pose_leg returns it, of the left and the right leg."""
+def pose_body(biped: Dimensions, track: Track, yaw: float, tilt: float, t: float, pose: Pose, c: int) -> None:
+    """Everything above the legs; tilt: how far the right leg has swung (feet.pose_leg), less how far the left one has."""
     body, past = biped.body, _empty_past()
     trunk.past_of(biped, track.curve, t, past)
     pitch, roll = trunk.pitch_and_roll(biped, past, yaw)
     angles = (_leg_angle(biped, pose, c, LEFT, yaw), _leg_angle(biped, pose, c, RIGHT, yaw))
     apart = min(max(angles[0] - angles[1], -1.0), 1.0)
     chest = yaw + body.chest_turn * apart
-    drop = body.pelvis_drop * (swung[1] - swung[0])
+    drop = body.pelvis_drop * tilt
     _turn(pose.body_rotation_wxyz, c, rotations.quaternion(yaw, pitch, roll))
     _turn(pose.pelvis_rotation_wxyz, c, rotations.quaternion(yaw - body.pelvis_turn * apart, 0.4 * pitch, 0.4 * roll + drop))
     _turn(pose.chest_rotation_wxyz, c, rotations.quaternion(chest, pitch, roll))

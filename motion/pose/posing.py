@@ -1,16 +1,20 @@
 """The pose at any time, from the curve and the footprints alone: nothing is integrated, nothing drifts."""
 
+from typing import Any, NamedTuple
+
 import numpy as np
 
-from motion.characters.dimensions import Dimensions
+from motion.characters.dimensions import Dimensions, empty_bipeds
 from motion.com import cost
 from motion.pose.body import pose_body
 from motion.pose.feet import pose_leg
-from motion.pose.pose import Pose
+from motion.pose.pose import Pose, empty_pose
 from motion.track import heading, phases
-from motion.track.curve import Track, evaluate
+from motion.track.curve import Curve, Track, evaluate
 from motion.track.footprints import LEFT, RIGHT, Footprints
 from worlds.compiled.jit import jit_borrowing, jit_inline
+from worlds.compiled.parts import Part, call, handle
+from worlds.compiled.tables import empty
 
 
 @jit_inline
@@ -21,20 +25,48 @@ def _comfort_cost(biped: Dimensions, footprints: Footprints, n: int, pose: Pose,
     return biped.leg.comfort_weight * (np.sqrt(x * x + y * y + z * z) - footprints.nominal_length[n]) ** 2
 
 
-@jit_borrowing
-def pose_kernel(biped: Dimensions, track: Track, t: float, pose: Pose, c: int) -> None:
-    """Fills row c of `pose` with a character at time t [s] of its track."""
+class Posed(NamedTuple):
+    """Who is posed, and when."""
+
+    bipeds: Any  # recarray of Dimensions
+    kind: int  # which of them it is
+    track: Track
+    time: float  # [s]
+    row: int  # of the pose
+
+
+lend_pose, _open_pose, _, _ = handle(empty_pose(1))
+lend_posed, _open_posed, _, _ = handle(Posed(empty_bipeds(1), 0, Track(empty(Footprints, 1), empty(Curve, 1)), 0.0, 0))
+
+
+@Part
+def pose_one(posed_at: int, pose_at: int) -> None:
+    """Fills a row of the Pose lent at `pose_at` with the Posed lent at `posed_at`."""
+    pose, (bipeds, kind, track, t, c) = _open_pose(pose_at), _open_posed(posed_at)
+    biped = bipeds[kind]
     com, acceleration, footprints = pose.com[c], pose.com_acceleration[c], track.footprints
     evaluate(track.curve, t, com, pose.com_velocity[c], acceleration)
     left, right = phases.support_at(footprints, 0, t)
     yaw = heading.body_heading(biped, footprints, t)
     pose.phase[c] = phases.phase_of(left, right)
-    swung_left = pose_leg(biped, footprints, left, LEFT, yaw, t, pose, c)
-    swung_right = pose_leg(biped, footprints, right, RIGHT, yaw, t, pose, c)
-    pose_body(biped, track, yaw, (swung_left, swung_right), t, pose, c)
+    pose.comfort_cost[c], tilt = 0.0, 0.0
+    for leg in range(2):  # a loop, so that the compiler makes the leg once
+        n = left if leg == LEFT else right
+        swung = pose_leg(biped, footprints, n, leg, yaw, t, pose, c)
+        tilt += swung if leg == RIGHT else -swung
+        if n >= 0:
+            pose.comfort_cost[c] += _comfort_cost(biped, footprints, n, pose, c, leg)
+    pose_body(biped, track, yaw, tilt, t, pose, c)
     pose.physics_cost[c] = cost.physics_cost(com, acceleration, pose.point_of_support[c], pose.contact[c])
-    pose.comfort_cost[c] = 0.0
-    if left >= 0:
-        pose.comfort_cost[c] += _comfort_cost(biped, footprints, left, pose, c, LEFT)
-    if right >= 0:
-        pose.comfort_cost[c] += _comfort_cost(biped, footprints, right, pose, c, RIGHT)
+
+
+def pose_into(biped: Dimensions, track: Track, time: float, pose: Pose) -> None:
+    """Fills row 0 of `pose` with a character at a time [s] of its track."""
+    bipeds = empty_bipeds(1)
+    bipeds[0] = biped
+    _call(pose_one.address, Posed(bipeds, 0, track, time, 0), pose)
+
+
+@jit_borrowing
+def _call(part: int, posed: Posed, pose: Pose) -> None:
+    call(part, lend_posed(posed), lend_pose(pose))

@@ -13,31 +13,35 @@ import numpy as np
 
 from motion.characters.dimensions import empty_bipeds
 from motion.track.footprints import Feet, Foot, Step
-from planner.round.memory import read, write
 from planner.round.reservations import Intents, empty_reservations
 from planner.round.round import Me, Round, Wish
 from worlds.arrays import no_world
 from worlds.compiled.jit import kernel_of
+from worlds.compiled.memory import Held, read, write
 from worlds.compiled.parts import Handle, Part, handle
 from worlds.compiled.tables import empty
 
 _KINDS = np.zeros(1, np.int64)
 _FOOT = Foot(0, 0.0, 0.0, 0.0, 0.0, 0.0)
-lend_round, open_round, _ = handle(
-    Round(_KINDS, empty_bipeds(1), no_world(), 0, empty_reservations(empty_bipeds(1), _KINDS, (1.0, 1.0)), empty(Intents, 1), 0)
+A_ROUND = Round(
+    _KINDS, empty_bipeds(1), no_world(), 0, empty_reservations(empty_bipeds(1), _KINDS, (1.0, 1.0)), empty(Intents, 1), 0
 )
-"""Rounds by their address; `plans` is an address itself, which only the planner can open."""
-lend_me, open_me, _ = handle(Me(0, 0, True, 0, Feet(_FOOT, _FOOT)))
-lend_wish, open_wish, put_wish = handle(Wish(Step(0, 0.0, 0.0, 0.0), 0.0))
+"""For its types; `plans` is an address, which only the planner can open."""
+_, open_round, _, ROUND = handle(A_ROUND)
+lend_me, open_me, _, _ = handle(Me(0, 0, True, 0, Feet(_FOOT, _FOOT)))
+lend_wish, open_wish, put_wish, _ = handle(Wish(Step(0, 0.0, 0.0, 0.0), 0.0))
 STAND = 0.5
 """Who cannot be told what to do stands for so long [s]."""
 
 
 class Planning:
-    """A planner's next_step, as rounds call it: by `address`."""
+    """A planner's next_step, as rounds call it."""
 
-    def lent(self, round: Round) -> int:
-        """Where it lies, for steps of this round."""
+    def held(self, plans: Any) -> Held | None:
+        """What the planner has prepared, where next_step finds it; None where that is nothing to kernels."""
+
+    def address(self, round: Round) -> int:
+        """Where next_step lies, for steps of rounds like this one, its plans included."""
         raise NotImplementedError
 
     def check(self) -> None:
@@ -66,8 +70,12 @@ class Compiled(Planning):
         """Asks it directly."""
         return self.kernel(round, me)
 
-    def lent(self, round: Round) -> int:
-        """Where it lies."""
+    def held(self, plans: Any) -> Held | None:
+        """The plans by their address."""
+        return None if self.plans is None else Held(plans, self.plans.kind)
+
+    def address(self, round: Round) -> int:
+        """Where the part lies."""
         return self.part.address
 
 
@@ -96,7 +104,7 @@ class Interpreted(Planning):
         """Asks it directly."""
         return self.next_step(round, me)
 
-    def lent(self, round: Round) -> int:
+    def address(self, round: Round) -> int:
         """Where its callback lies."""
         self._round = round
         return ctypes.cast(self._callback, ctypes.c_void_p).value or 0

@@ -11,10 +11,11 @@ from motion.characters.character import load_character
 from motion.pose.pose import empty_pose
 from planner.modes.wander import Wander
 from planner.round import reservations
+from planner.round.kernel import ROUND
 from sim.rows import rounds
-from sim.rows.posing import pose_all
 from sim.stage.simulation import Simulation
 from worlds.compiled.jit import jit
+from worlds.compiled.memory import Held
 from worlds.compiled.parts import call
 from worlds.world import World
 
@@ -77,7 +78,7 @@ def _run(sim: Simulation, seconds: float) -> tuple[list[float], list[float]]:
         ticks.append(perf_counter() - begin)
         if k % (sim.tick_rate // FRAMES) == 0:
             begin = perf_counter()
-            pose_all(sim.crowd, sim.bipeds, sim.time, rows, pose)
+            sim.pose_into(pose, sim.time, rows)
             poses.append(perf_counter() - begin)
     return ticks, poses
 
@@ -87,13 +88,13 @@ def _parts(sim: Simulation, pose_seconds: float) -> dict:
     crowd = _copied(sim.crowd)
     rows = np.sort(np.argsort(sim.reservations.due, kind="stable")[:SAMPLE])
     reservations.sort_into_cells(sim.reservations)
-    work, parts = sim.work()._replace(crowd=crowd), rounds.compiled_parts()
-    work = work._replace(round=work.round._replace(intents=crowd.intents))
-    _of_rows(parts.plan, work, rows[:0])
+    parts, round = rounds.compiled_parts(), Held(sim.work.value.round._replace(intents=crowd.intents), ROUND)
+    work = Held(sim.work.value._replace(crowd=crowd, round=round.value, round_at=round.address), rounds.WORK)
+    _of_rows(parts.plan, work.address, rows[:0])
     begin = perf_counter()
-    _of_rows(parts.plan, work, rows)
+    _of_rows(parts.plan, work.address, rows)
     planned = perf_counter()
-    _of_rows(parts.optimise, work, rows)
+    _of_rows(parts.optimise, work.address, rows)
     solved = perf_counter()
     return {
         "planning_us_per_step": 1e6 * (planned - begin) / len(rows),
@@ -103,8 +104,7 @@ def _parts(sim: Simulation, pose_seconds: float) -> dict:
 
 
 @jit
-def _of_rows(part: int, work: rounds.Work, rows: np.ndarray) -> None:
-    address = rounds.lend_work(work)
+def _of_rows(part: int, address: int, rows: np.ndarray) -> None:
     for c in rows:
         call(part, address, c)
 

@@ -10,7 +10,7 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 
 from motion.com.standing import above_feet
-from motion.track.curve import Curve, Track, append_segment, forget_segments, position_at, up_to
+from motion.track.curve import Curve, Track, append_segment, forget_segments, up_to
 from motion.track.footprints import Footprints, first, forget_oldest
 from motion.track.phases import SHORTEST_PHASE
 from planner.round.reservations import Intents
@@ -124,10 +124,3 @@ def commit(crowd: Crowd, c: int, source: Curve, until: float) -> None:
         append_segment(curve, crowd.segments[c], source, i)
         crowd.segments[c] += 1
         i += 1
-
-
-@jit_borrowing
-def com_all(crowd: Crowd, t: float, com: np.ndarray) -> None:
-    """Fills com (C, 3) with everyone's centre of mass at time t [s]: what can be seen, before it is posed."""
-    for c in range(len(crowd.kind)):
-        position_at(committed_of(crowd, c), t, com[c])

@@ -6,11 +6,12 @@ import numpy as np
 from numba import prange
 
 from motion.characters.dimensions import empty_bipeds
-from motion.pose.pose import Pose, empty_pose
-from motion.pose.posing import pose_kernel
-from sim.rows.crowd import Crowd, empty_crowd, track_of
+from motion.pose.pose import Pose
+from motion.pose.posing import Posed, lend_pose, lend_posed
+from motion.track.curve import position_at
+from sim.rows.crowd import Crowd, committed_of, empty_crowd, track_of
 from worlds.compiled.jit import jit, jit_borrowing, jit_parallel
-from worlds.compiled.parts import fetch, handle, take
+from worlds.compiled.parts import call, fetch, handle, take
 
 SHARE = 4
 """Characters that a thread takes at a time; so many are no work for two."""
@@ -18,15 +19,14 @@ WORKERS = 64
 """More than there are threads: each works until nothing is left, and those that come late find nothing."""
 
 
-class Posing(NamedTuple):
-    """What is posed, and where to."""
+class Shown(NamedTuple):
+    """What can be seen."""
 
     crowd: Crowd
-    bipeds: Any
-    pose: Pose
+    bipeds: Any  # recarray of Dimensions, by kind
 
 
-_lend, _open, _ = handle(Posing(empty_crowd(np.zeros(1)), empty_bipeds(1), empty_pose(1)))
+_, open_shown, _, SHOWN = handle(Shown(empty_crowd(np.zeros(1)), empty_bipeds(1)))
 
 
 @jit_borrowing
@@ -49,30 +49,41 @@ def fetch_row(crowd: Crowd, c: int) -> None:
 
 
 @jit_borrowing
-def _pose_some(address: int, t: float, rows: np.ndarray, counter: np.ndarray) -> None:
+def _pose_some(part: int, shown_at: int, pose_at: int, t: float, rows: np.ndarray, counter: np.ndarray) -> None:
     """Poses share after share, until none is left."""
-    posing = _open(address)
-    crowd, begin = posing.crowd, take(counter) * SHARE
+    shown, begin = open_shown(shown_at), take(counter) * SHARE
+    crowd = shown.crowd
     while begin < len(rows):
         for k in range(begin, min(begin + SHARE, len(rows))):
             c = rows[k]
             if k + 2 < len(rows):
                 fetch_row(crowd, rows[k + 2])
-            pose_kernel(posing.bipeds[crowd.kind[c]], track_of(crowd, c), t, posing.pose, k)
+            call(part, lend_posed(Posed(shown.bipeds, crowd.kind[c], track_of(crowd, c), t, k)), pose_at)
         begin = take(counter) * SHARE
 
 
 @jit_parallel
-def _pose_in_threads(address: int, t: float, rows: np.ndarray, counter: np.ndarray) -> None:
+def _pose_in_threads(part: int, shown_at: int, pose_at: int, t: float, rows: np.ndarray, counter: np.ndarray) -> None:
     for _ in prange(WORKERS):
-        _pose_some(address, t, rows, counter)
+        _pose_some(part, shown_at, pose_at, t, rows, counter)
 
 
 @jit
-def pose_all(crowd: Crowd, bipeds: Any, t: float, rows: np.ndarray, pose: Pose) -> None:
-    """Poses the characters `rows` (K,) at time t [s] into pose, of K rows."""
-    address, counter = _lend(Posing(crowd, bipeds, pose)), np.zeros(1, np.int64)
+def pose_rows(part: int, shown_at: int, t: float, rows: np.ndarray, pose: Pose) -> None:
+    """Poses the characters `rows` (K,) of the Shown at an address, at time t [s], into pose, of K rows.
+
+    part: where motion.pose.posing.pose_one lies.
+    """
+    pose_at, counter = lend_pose(pose), np.zeros(1, np.int64)
     if len(rows) <= SHARE:
-        _pose_some(address, t, rows, counter)
+        _pose_some(part, shown_at, pose_at, t, rows, counter)
     else:
-        _pose_in_threads(address, t, rows, counter)
+        _pose_in_threads(part, shown_at, pose_at, t, rows, counter)
+
+
+@jit
+def com_all(shown_at: int, t: float, com: np.ndarray) -> None:
+    """Fills com (C, 3) with everyone's centre of mass at time t [s]: what can be seen, before it is posed."""
+    crowd = open_shown(shown_at).crowd
+    for c in range(len(crowd.kind)):
+        position_at(committed_of(crowd, c), t, com[c])

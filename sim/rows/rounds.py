@@ -7,7 +7,6 @@ from typing import NamedTuple
 import numpy as np
 from numba import prange
 
-from motion.characters.dimensions import empty_bipeds
 from motion.com import newton
 from motion.com.newton import Effort
 from motion.com.window import optimise_window
@@ -15,18 +14,17 @@ from motion.track.curve import up_to
 from motion.track.footprints import feet_before
 from planner.crowd.avoiding import YIELD_TIME, give_way
 from planner.round import reservations
-from planner.round.kernel import lend_me, lend_round, lend_wish, open_wish
-from planner.round.reservations import Intents, Reservations, empty_reservations
+from planner.round.kernel import A_ROUND, lend_me, lend_wish, open_wish
+from planner.round.reservations import Reservations
 from planner.round.round import Me, Round, Wish, standing
 from planner.stepping import random
 from planner.stepping.placing import lay_swing
 from planner.stepping.taking import take_step
 from sim.rows.crowd import REAL, TENTATIVE, Crowd, commit, empty_crowd, footprints_of, horizon, shift
 from sim.rows.posing import SHARE, WORKERS, fetch_row
-from worlds.arrays import no_world
 from worlds.compiled.jit import jit, jit_borrowing, jit_parallel
 from worlds.compiled.parts import Part, call, call_three, fetch, handle, take
-from worlds.compiled.tables import empty, row
+from worlds.compiled.tables import row
 
 AT_FIRST, LONGER = 0.3, 0.5
 """Everyone stands so long [s] at the very beginning, and by chance up to so much longer."""
@@ -37,8 +35,9 @@ class Work(NamedTuple):
 
     crowd: Crowd
     round: Round  # its plans an address, which the planner alone opens
-    effort: Effort
+    round_at: int  # where it lies
     planner: int  # where its next_step lies
+    effort: Effort = newton.LIVE
 
 
 class Parts(NamedTuple):
@@ -48,15 +47,7 @@ class Parts(NamedTuple):
     optimise: int
 
 
-_ONE = np.zeros(1, np.int64)
-SAMPLE = Work(
-    empty_crowd(_ONE),
-    Round(_ONE, empty_bipeds(1), no_world(), 0, empty_reservations(empty_bipeds(1), _ONE, (1.0, 1.0)), empty(Intents, 1), 0),
-    newton.LIVE,
-    0,
-)
-"""For its types."""
-lend_work, open_work, _ = handle(SAMPLE)
+_, open_work, _, WORK = handle(Work(empty_crowd(np.zeros(1)), A_ROUND, 0, 0))
 
 
 @jit_borrowing
@@ -65,7 +56,7 @@ def _wish(work: Work, me: Me) -> Wish:
     if me.number <= 2:
         return standing(me, AT_FIRST + LONGER * random.uniform(work.round.seed, me.c, me.number, random.WAIT))
     answer = lend_wish(standing(me, YIELD_TIME))
-    call_three(work.planner, lend_round(work.round), lend_me(me), answer)
+    call_three(work.planner, work.round_at, lend_me(me), answer)
     return open_wish(answer)
 
 
@@ -149,11 +140,12 @@ def publish(crowd: Crowd, round: Round, c: int) -> None:
         held.path[c, k, 2] = f.contact_time[c, i] + late
 
 
-@jit_borrowing
-def publish_all(crowd: Crowd, round: Round, who: np.ndarray) -> None:
-    """Lets everyone see the characters `who` (K,)."""
+@jit
+def publish_all(address: int, who: np.ndarray) -> None:
+    """Lets everyone see the characters `who` (K,) of the Work at an address."""
+    work = open_work(address)
     for c in who:
-        publish(crowd, round, c)
+        publish(work.crowd, work.round, c)
 
 
 @jit
@@ -198,15 +190,17 @@ def _advance_in_threads(parts: Parts, address: int, turn: np.ndarray, counter: n
 
 
 @jit
-def advance_all(parts: Parts, work: Work, until: float, placed: np.ndarray) -> None:
-    """One round for every character whose committed curve ends before `until` [s]; placed (C,) counts the new footprints.
+def advance_all(parts: Parts, address: int, until: float, placed: np.ndarray) -> None:
+    """One round of the Work at an address for every character whose committed curve ends before `until` [s].
+
+    placed (C,) counts the new footprints.
 
     Neighbours who are due in the same tick take turns, as often as needed: all of a turn decide against what was published
     before, then all publish, so the order of threads does not matter.
     """
     placed[:] = 0
-    counter = np.zeros(1, np.int64)
-    address, held = lend_work(work), work.round.reservations
+    work, counter = open_work(address), np.zeros(1, np.int64)
+    held = work.round.reservations
     due = due_now(held, until, placed)
     if len(due) > 0:
         reservations.sort_into_cells(held)
@@ -217,7 +211,7 @@ def advance_all(parts: Parts, work: Work, until: float, placed: np.ndarray) -> N
             _advance_some(parts, address, turn, counter)
         else:
             _advance_in_threads(parts, address, turn, counter)
-        publish_all(work.crowd, work.round, turn)
+        publish_all(address, turn)
         for c in turn:
             placed[c] += 1
         due = due_now(held, until, placed)

@@ -8,12 +8,14 @@ import numpy as np
 from motion.characters.character import Character
 from motion.characters.dimensions import empty_bipeds
 from motion.pose.pose import Pose, empty_pose
+from motion.pose.posing import pose_one
 from motion.track.curve import Curve
 from motion.track.footprints import Footprints
 from sim.rows import crowd as crowds
+from sim.rows import posing
 from sim.rows.footprint_log import FootprintLog, Walked, placed_since
-from sim.rows.posing import pose_all
 from worlds.compiled.jit import start_threads
+from worlds.compiled.memory import Held
 from worlds.compiled.tables import copied, picked
 from worlds.world import World
 
@@ -39,6 +41,7 @@ class Cast:
         self.crowd = crowds.empty_crowd(kind, **capacity)
         self.footprints = FootprintLog()
         self.changes: list[Change] = []
+        self._shown: Held[posing.Shown] | None = None
         self.first_world, self.first_characters = world, list(characters)
 
     @property
@@ -66,14 +69,25 @@ class Cast:
         """
         rows = np.arange(len(self.characters)) if rows is None else rows
         pose = empty_pose(len(rows))
-        pose_all(self.crowd, self.bipeds, self.moment(time), rows, pose)
+        self.pose_into(pose, self.moment(time), rows)
         return pose
+
+    def pose_into(self, pose: Pose, time: float, rows: np.ndarray) -> None:
+        """Fills `pose`, of K rows, with the characters `rows` (K,) at `time` [s]."""
+        posing.pose_rows(pose_one.address, self._shown_at(), time, rows, pose)
 
     def com(self, time: float | None = None) -> np.ndarray:
         """Centres of mass (C, 3) of all characters at `time` [s], by default now, without posing them."""
         com = np.empty((len(self.characters), 3))
-        crowds.com_all(self.crowd, self.moment(time), com)
+        posing.com_all(self._shown_at(), self.moment(time), com)
         return com
+
+    def _shown_at(self) -> int:
+        """Where kernels find what is seen."""
+        held = self._shown
+        if held is None or held.value.crowd is not self.crowd or held.value.bipeds is not self.bipeds:
+            held = self._shown = Held(posing.Shown(self.crowd, self.bipeds), posing.SHOWN)
+        return held.address
 
     @property
     def kind(self) -> np.ndarray:

@@ -10,16 +10,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from motion.characters.character import Character
-from motion.com import newton
 from motion.track.footprints import LEFT, RIGHT
 from planner.planner import Planner, Situation
-from planner.round.memory import as_memory
+from planner.round.kernel import ROUND
 from planner.round.reservations import empty_reservations
 from planner.round.round import Round
 from planner.stepping.beside import beside
 from sim.rows import rounds
 from sim.rows.crowd import Crowd
 from sim.stage.cast import TICK_RATE, Cast, Change, kinds_of, table_of
+from worlds.compiled.memory import Held
 from worlds.world import World
 
 
@@ -43,8 +43,7 @@ class Simulation(Cast):
         state: State | None = None,
     ) -> None:  # fmt: skip
         super().__init__(world, characters, seed, tick_rate)
-        self._round: Round
-        self.planner, self.effort = planner, newton.LIVE
+        self.planner = planner
         self._placed = np.zeros(len(self.characters), np.int64)
         if state is None:
             self._begin()
@@ -76,15 +75,10 @@ class Simulation(Cast):
 
     def _plan(self) -> None:
         """Rounds until nobody runs out of motion. Raises what a planner in plain Python has raised."""
-        rounds.advance_all(rounds.compiled_parts(), self.work(), self.time + 1e-9, self._placed)
+        rounds.advance_all(rounds.compiled_parts(), self.work.address, self.time + 1e-9, self._placed)
         if self._placed.any():
             self.footprints.add(self.crowd, self._placed)
         self.planner.planning.check()
-
-    def work(self) -> rounds.Work:
-        """What rounds work on."""
-        planner = self.planner.planning.lent(self._round._replace(plans=self.plans))
-        return rounds.Work(self.crowd, self._round, self.effort, planner)
 
     def situation(self, world: World) -> Situation:
         """What the planner prepares from, in a world."""
@@ -94,7 +88,7 @@ class Simulation(Cast):
         """Another state of the same world, and the plans that the planner has made for it: taken together, at once."""
         self.world = world
         self._use(plans)
-        self._round = self._round._replace(world=world.arrays, plans=self._plans_at)
+        self._hold(self._round.value._replace(world=world.arrays))
 
     def recast(self, c: int, character: Character) -> None:
         """Character c becomes another one, which stands from now on where its feet are."""
@@ -114,19 +108,22 @@ class Simulation(Cast):
         self.changes.append(Change(self.ticks, command))
 
     def _use(self, plans: Any) -> None:
-        self.plans = plans
-        self._plans_held = None if plans is None else as_memory(plans)
-        self._plans_at = 0 if self._plans_held is None else self._plans_held.ctypes.data
+        self.plans, self._plans = plans, self.planner.planning.held(plans)
+
+    def _hold(self, round: Round) -> None:
+        """From now on, rounds are like this one, with the plans that are in use: `work` is what they work on."""
+        planner = self.planner.planning.address(round._replace(plans=self.plans))
+        self._round = Held(round._replace(plans=self._plans.address if self._plans else 0), ROUND)
+        self.work = Held(rounds.Work(self.crowd, self._round.value, self._round.address, planner), rounds.WORK)
 
     def _publish_anew(self) -> None:
         """Everyone shows what it holds: reservations follow from the rows."""
         reservations = empty_reservations(self.bipeds, self.crowd.kind, self.world.size)
-        self._round = Round(
-            self.crowd.kind, self.bipeds, self.world.arrays, self._plans_at, reservations, self.crowd.intents, self.seed
-        )
-        rounds.publish_all(self.crowd, self._round, np.arange(len(self.characters)))
+        crowd = self.crowd
+        self._hold(Round(crowd.kind, self.bipeds, self.world.arrays, 0, reservations, crowd.intents, self.seed))
+        rounds.publish_all(self.work.address, np.arange(len(self.characters)))
 
     @property
     def reservations(self) -> Any:
         """What all have shown to the others."""
-        return self._round.reservations
+        return self._round.value.reservations

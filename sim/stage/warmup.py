@@ -1,7 +1,7 @@
 """The first start: kernels are compiled one after the other, by plain names, and half of them in a second process.
 
 Compiled kernels are kept (worlds.compiled.cache), so this happens once for these sources, this numba and this processor. They
-are compiled for the types of their arguments, which a small cast provides; nothing is run. Those in HELPERS are compiled by a
+are compiled for the types of their arguments, which a small cast provides; nothing is run. Half of them are compiled by a
 second process meanwhile: by the time that the tick needs `placing footprints`, it lies in the cache.
 """
 
@@ -20,10 +20,11 @@ from motion import motion
 from motion.characters.character import load_character
 from motion.com import newton, window
 from motion.pose.pose import empty_pose
+from motion.pose.posing import pose_one
 from motion.track.footprints import STEP, Footprints
 from planner.modes.wander import Wander
-from planner.planners import PLANNERS
 from planner.river import search
+from planner.river.rock_hop import RockHop
 from planner.script import laying
 from sim.rows import crowd as crowds
 from sim.rows import posing, rounds
@@ -33,18 +34,23 @@ from worlds.compiled.tables import empty
 from worlds.world import World
 
 ROOT = Path(__file__).resolve().parents[2]
-OURS, HELPERS = ("window solve", "tick of the crowd"), ("placing footprints", "planners", "poses", "standing", "ground")
-SCRIPTED, ROUTES = "whole tracks", "route search"
+LIVE, SHOWN = ("window solve", "tick of the crowd"), ("poses", "standing", "ground")
+NEEDED = {
+    "wander": (LIVE, ("placing footprints", "wandering", *SHOWN)),
+    "river": ((*LIVE, "route search"), ("placing footprints", "crossing", *SHOWN)),
+    "play": (("whole curves",), ("laying footprints", *SHOWN)),
+}
+"""What a command needs: (compiled here, by the second process)."""
 
 
 def warm_up(command: str, tell: Callable[[str], None]) -> None:
     """Compiles what the command needs, where it has not been yet; tell is called with a line for each kernel."""
-    ours = {"river": (*OURS, ROUTES), "play": (SCRIPTED,)}.get(command, OURS)
+    ours, theirs = NEEDED[command]
     stamp = _stamp(command)
     if stamp.exists():
         return
-    names = (*ours, *HELPERS)
-    helper = subprocess.Popen([sys.executable, "-m", "sim.stage.warmup", ",".join(names), ",".join(HELPERS)], cwd=ROOT)
+    names = (*ours, *theirs)
+    helper = subprocess.Popen([sys.executable, "-m", "sim.stage.warmup", ",".join(names), ",".join(theirs)], cwd=ROOT)
     try:
         _compile(names, ours, tell)
         helper.wait()
@@ -76,7 +82,7 @@ class _Still(Simulation):
         self._use(None)
 
     def _publish_anew(self) -> None:
-        self._round = rounds.SAMPLE.round
+        pass
 
     def _plan(self) -> None:
         pass
@@ -92,23 +98,26 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
     return {
         "window solve": [(rounds.optimise_step, ())],
         "placing footprints": [(rounds.plan_step, ())],
-        "planners": [(kind.planning.part, ()) for kind in PLANNERS.values()],  # type: ignore[attr-defined]
-        "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), rounds.SAMPLE, 0.0, one))],
-        "poses": [(posing.pose_all, (crowd, bipeds, 0.0, one, empty_pose(1))), (crowds.com_all, (crowd, 0.0, matrix))],
+        "wandering": [(Wander.planning.part, ())],
+        "crossing": [(RockHop.planning.part, ())],
+        "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), 0, 0.0, one))],
+        "poses": [
+            (pose_one, ()),
+            (posing.pose_rows, (0, 0, 0.0, one, empty_pose(1))),
+            (posing.com_all, (0, 0.0, matrix)),
+        ],
         "standing": [
             (crowds.stand, (crowd, bipeds, w, 0, 0, matrix, 0.0)),
-            (rounds.publish_all, (crowd, rounds.SAMPLE.round, one)),
+            (rounds.publish_all, (0, one)),
         ],
         "ground": [
             (queries.rock_under, (*place, 0.0)),
             (queries.survey, (w, np.zeros((2, 2)), matrix)),
             *((kernel, place) for kernel in (queries.clearance, queries.terrain_height, queries.in_water)),
         ],
-        ROUTES: [(search.find, (biped, spots, 0, 0))],
-        SCRIPTED: [
-            (laying.lay_steps, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP), 0.0, 0.0)),
-            (motion.solve_track, (biped, empty(Footprints, 1), 0.0, window.SCENE, newton.SCENE)),
-        ],
+        "route search": [(search.find, (biped, spots, 0, 0))],
+        "laying footprints": [(laying.lay_steps, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP), 0.0, 0.0))],
+        "whole curves": [(motion.solve_track, (biped, empty(Footprints, 1), 0.0, window.SCENE, newton.SCENE))],
     }
 
 

@@ -99,6 +99,7 @@ class Handle(NamedTuple):
     lend: Callable[..., Any]  # lend(value) is an address, good while the kernel that has lent it runs
     opened: Callable[..., Any]  # opened(address) is the value again
     put: Callable[..., Any]  # put(address, value) writes another one there
+    kind: Any  # their type, as the compiler knows it: for worlds.compiled.memory.Held
 
 
 def handle(sample: Any) -> Handle:
@@ -131,4 +132,4 @@ def handle(sample: Any) -> Handle:
 
         return types.none(types.int64, kind), codegen
 
-    return Handle(lend, opened, put)
+    return Handle(lend, opened, put, kind)

@@ -6,7 +6,7 @@ import pytest
 from motion.characters.character import character_names, load_character
 from motion.pose import legs, swing
 from motion.pose.pose import empty_pose
-from motion.pose.posing import pose_kernel
+from motion.pose.posing import pose_into
 from motion.track import foot, heading
 from motion.track.curve import Track
 from tests.walks import solved, straight_walk
@@ -19,7 +19,7 @@ def test_pose_is_exact_and_smooth(name):
     track = Track(footprints, solved(b, footprints))
     pose, last = empty_pose(1), None
     for t in np.arange(footprints.contact_time[4], footprints.contact_time[9], 1e-3):
-        pose_kernel(b, track, t, pose, 0)
+        pose_into(b, track, t, pose)
         for side in (0, 1):
             if pose.contact[0, side]:
                 n = max(i for i in range(14) if footprints.side[i] == side and footprints.contact_time[i] <= t)

@@ -35,7 +35,7 @@ def test_nothing_is_left_to_compile():
         rounds.optimise_step,
         motion.solve_track,
         laying.lay_steps,
-        posing.pose_all,
+        posing.pose_rows,
         crowd.stand,
     } <= set(kernels)
     assert [_compiled(kernel) for kernel in kernels] == compiled
@@ -59,18 +59,22 @@ def _compiled(kernel) -> list:
     return [kernel.address] if isinstance(kernel, Part) else list(kernel.signatures)
 
 
-def test_progress_names_what_is_compiled(tmp_path, monkeypatch):
+@pytest.mark.parametrize("command", warmup.NEEDED)
+def test_progress_names_what_is_compiled(command, tmp_path, monkeypatch):
+    names = set(warmup.steps())
+    ours, theirs = warmup.NEEDED[command]
+    assert {*ours, *theirs} <= names
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    monkeypatch.setattr(warmup, "steps", lambda: {name: [] for name in (*warmup.OURS, *warmup.HELPERS)})
+    monkeypatch.setattr(warmup, "steps", lambda: {name: [] for name in names})
     helped = Mock(poll=lambda: 0)
     monkeypatch.setattr(warmup.subprocess, "Popen", Mock(return_value=helped))
     told: list[str] = []
-    warmup.warm_up("wander", told.append)
-    count = len(warmup.OURS) + len(warmup.HELPERS)
-    assert told == [f"compiling 1 of {count}: window solve ...", f"compiling 2 of {count}: tick of the crowd ..."]
+    warmup.warm_up(command, told.append)
+    count = len(ours) + len(theirs)
+    assert told == [f"compiling {k + 1} of {count}: {name} ..." for k, name in enumerate(ours)]
     helped.wait.assert_called_once()
-    warmup.warm_up("wander", told.append)
-    assert len(told) == 2
+    warmup.warm_up(command, told.append)
+    assert len(told) == len(ours)
 
 
 @pytest.mark.parametrize("some", [[2, 0], [1]])
