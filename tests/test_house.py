@@ -98,7 +98,7 @@ def test_rounds_and_saved_states_know_no_planner_by_name():
     """But for the one list of those that ship."""
     modes = {name for name in structure.modules() if name.startswith(("planner.modes.", "planner.river."))}
     knows = {name for name in structure.modules() if modes & structure.imports_of(name)} - modes
-    assert knows - {"planner.planners", "sim.stage.making"} <= {"sim.stage.warmup", *_benches(knows)}
+    assert knows - {"planner.planners", "sim.stage.making"} <= {"sim.stage.kernels", *_benches(knows)}
 
 
 def _benches(names: set[str]) -> set[str]:

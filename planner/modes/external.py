@@ -93,6 +93,10 @@ class External:
         """What it was made with."""
         return {"starts": self.places.tolist()}
 
+    def left(self, plans: Queues, planned: np.ndarray) -> np.ndarray:
+        """(C,) steps given that are not taken yet; planned (C,): the number of each one's newest footprint."""
+        return np.maximum(plans.first + plans.given - (planned + 1), 0)
+
     def give(self, plans: Queues, c: int, steps: list[Step], number: int, world: World) -> None:
         """Adds steps for character c behind those that it has; `number`: of the step that it plans next.
 

@@ -14,7 +14,7 @@ from sim.bench import crowds, live, solver
 from sim.stage.simulation import Simulation
 from worlds.level import load_level
 
-MAIN = Path(__file__).resolve().parents[2] / "main.py"
+ROOT = Path(__file__).resolve().parents[2]
 SIZE = (960, 540)
 CROWDS = ((1, 5.0), (100, 5.0), (1000, 5.0), (10_000, 2.0), (100_000, 0.5))
 QUICK_CROWDS = ((1, 2.0), (100, 2.0))
@@ -37,11 +37,11 @@ def run(quick: bool) -> dict:
 
 def startup(runs: int) -> float:
     """Seconds of a whole headless process that simulates a tenth of a second, from a warm cache."""
-    command = [sys.executable, str(MAIN), "wander", "--headless", "--seconds", "0.1", "--json"]
+    command = [sys.executable, "-m", "sim", "wander", "--headless", "--seconds", "0.1", "--json"]
     seconds = []
     for _ in range(runs + 1):
         begin = perf_counter()
-        subprocess.run(command, check=True, capture_output=True)
+        subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
         seconds.append(perf_counter() - begin)
     return median(seconds[1:])
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from motion.pose.pose import Pose
 from sim.files import archive
-from sim.stage.cast import Cast
+from sim.stage.cast import Cast, Change
 from sim.stage.commands import Edit, Recast, from_plain
 from worlds.world import World
 
@@ -80,29 +80,34 @@ class Recording:
     meta: dict
 
     @property
+    def changes(self) -> list[Change]:
+        """What was changed during the run, for sim.stage.commands.replay."""
+        return [Change(**change) for change in self.meta.get("changes", [])]
+
+    @property
     def world(self) -> World:
         """The world as it was at the end of the run."""
         return World.from_dict(self.meta["world"])
 
     @cached_property
     def worlds(self) -> list[tuple[float, World]]:
-        """The worlds of the run, each with the time [s] from which on it was there; the first from the beginning."""
+        """The worlds of the run, each with the time [s] after which it was there; the first from the beginning."""
         first = self.meta.get("first_world") or self.meta["world"]
         found, world = [(-np.inf, World.from_dict(first))], World.from_dict(first)
-        for change in self.meta.get("changes", []):
-            command = from_plain(change["command"])
+        for tick, plain in self.changes:
+            command = from_plain(plain)
             if isinstance(command, Edit):
                 world = command.on(world)
-                found.append((change["tick"] / self.meta["rate"], world))
+                found.append((tick / self.meta["rate"], world))
         return found
 
     def dimensions(self, c: int) -> list[tuple[float, dict]]:
-        """The dimensions of character c, each with the time [s] from which on they held: it may have been recast."""
+        """The dimensions of character c, each with the time [s] after which they held: it may have been recast."""
         found = [(-np.inf, self.meta["characters"][c])]
-        for change in self.meta.get("changes", []):
-            command = from_plain(change["command"])
+        for tick, plain in self.changes:
+            command = from_plain(plain)
             if isinstance(command, Recast) and command.character == c:
-                found.append((change["tick"] / self.meta["rate"], command.dimensions))
+                found.append((tick / self.meta["rate"], command.dimensions))
         return found
 
 

@@ -44,6 +44,7 @@ def _meta(sim: Simulation) -> dict:
         "tick_rate": sim.tick_rate,
         "seed": sim.seed,
         "steps": sim.footprints.steps,
+        "recasts": sim.footprints.recasts.tolist(),
         "world": sim.world.to_dict(),
         "first_world": sim.first_world.to_dict() if sim.first_world is not sim.world else None,
         "kinds": [{"dimensions": kind.to_dict(), "look": kind.look.model_dump()} for kind in sim.kinds],
@@ -94,5 +95,6 @@ def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulat
     sim.changes = [Change(**change) for change in meta["changes"]]
     if meta["first_world"] is not None:
         sim.first_world = World.from_dict(meta["first_world"])
-    sim.footprints.take(meta["steps"], {name: array for name, array in arrays.items() if name.startswith(LOG)})
+    kept = {name: array for name, array in arrays.items() if name.startswith(LOG)}
+    sim.footprints.take(meta["steps"], meta["recasts"], kept)
     return sim

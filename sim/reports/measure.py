@@ -1,6 +1,7 @@
 """The report of `measure`: the quality of a recorded run, per character and the worst of all."""
 
 from collections.abc import Callable, Iterable
+from typing import NamedTuple
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from motion.track.footprints import Footprints
 from sim.files.recording import Recording
 from worlds import queries
 from worlds.arrays import WorldArrays
-from worlds.compiled.tables import empty, picked
+from worlds.compiled.tables import empty
 from worlds.errors import InputError
 
 _FRAMES = (
@@ -35,7 +36,8 @@ def measure(recording: Recording) -> dict:
     """
     _check(recording)
     time = recording.arrays["time"]
-    characters = [part for c in range(recording.arrays["com"].shape[1]) for part in _parts(recording, c)]
+    grounds, count = Grounds(recording), recording.arrays["com"].shape[1]
+    characters = [_character(recording, part, grounds) for c in range(count) for part in _parts(recording, c)]
     seconds = float(time[-1] - time[0])
     return {
         "level": recording.meta["level"],
@@ -46,13 +48,21 @@ def measure(recording: Recording) -> dict:
     }
 
 
-def _parts(recording: Recording, c: int) -> list[dict]:
-    """The report of character c; one for each character that it was, where it was recast."""
-    starts = [begin for begin, _ in recording.dimensions(c)]
-    ends = [*starts[1:], np.inf]
-    time = recording.arrays["time"]
-    spans = [(b, e) for b, e in zip(starts, ends, strict=True) if len(starts) == 1 or ((time >= b) & (time < e)).sum() > 2]
-    return [_character(recording, c, span) for span in spans]
+class Part(NamedTuple):
+    """A character for as long as it was the same one."""
+
+    c: int
+    recasts: int  # how often it had become another one before
+    frames: np.ndarray  # (F,) bool
+    dimensions: dict
+
+
+def _parts(recording: Recording, c: int) -> list[Part]:
+    """Character c in each of its casts; one that was too short to measure is left out."""
+    cast, time = recording.dimensions(c), recording.arrays["time"]
+    ends = [*(begin for begin, _ in cast[1:]), np.inf]
+    parts = [Part(c, k, (time > begin) & (time <= ends[k]), of) for k, (begin, of) in enumerate(cast)]
+    return [part for part in parts if part.frames.sum() > 2] or parts[:1]
 
 
 def _check(recording: Recording) -> None:
@@ -74,9 +84,11 @@ def frames_of(recording: Recording, c: int) -> dict[str, np.ndarray]:
     return {name: np.ascontiguousarray(recording.arrays[name][:, c]) for name in _FRAMES}
 
 
-def footprints_of(recording: Recording, c: int) -> Footprints:
-    """The footprints of character c (K,) by contact time."""
-    mine = np.flatnonzero(recording.arrays["footprint_character"] == c)
+def footprints_of(recording: Recording, c: int, recasts: int = 0) -> Footprints:
+    """The footprints (K,) of character c by contact time, of those after it had become another one so often."""
+    character = recording.arrays["footprint_character"]
+    cast = recording.arrays.get("footprint_recasts", np.zeros_like(character))
+    mine = np.flatnonzero((character == c) & (cast == recasts))
     found = empty(Footprints, len(mine))
     for name, column in found._asdict().items():
         if f"footprint_{name}" in recording.arrays:
@@ -84,15 +96,10 @@ def footprints_of(recording: Recording, c: int) -> Footprints:
     return found
 
 
-def _character(recording: Recording, c: int, span: tuple[float, float]) -> dict:
-    """Character c from one time up to another [s], while it was the same character."""
-    begin, end = span
-    inside = (recording.arrays["time"] >= begin) & (recording.arrays["time"] < end)
+def _character(recording: Recording, part: Part, grounds: "Grounds") -> dict:
+    c, recasts, inside, dimensions = part
     time, a = recording.arrays["time"][inside], {k: v[inside] for k, v in frames_of(recording, c).items()}
-    every = footprints_of(recording, c)
-    footprints = picked(every, (every.contact_time >= begin - 1) & (every.contact_time < end))
-    dimensions = next(d for b, d in reversed(recording.dimensions(c)) if b <= begin)
-    grounds = Grounds(recording)
+    footprints = footprints_of(recording, c, recasts)
     again = quality.physics_cost(a["com"], a["com_acceleration"], a["point_of_support"], a["contact"])
     return {
         "name": dimensions["name"],
@@ -117,7 +124,7 @@ class Grounds:
 
     def at(self, times: np.ndarray) -> list[tuple[np.ndarray, WorldArrays]]:
         """(indices of the times, world) of each world that holds at some of these times."""
-        which = np.searchsorted(self.begins, times, side="right") - 1
+        which = np.searchsorted(self.begins, times, side="left") - 1
         return [(np.flatnonzero(which == k), self.worlds[k]) for k in np.unique(which)]
 
     def heights(self, times: np.ndarray, points: np.ndarray) -> np.ndarray:

@@ -18,6 +18,7 @@ class Walked(NamedTuple):
     """Footprints of several characters."""
 
     character: np.ndarray  # (K,)
+    recasts: np.ndarray  # (K,) how often that character had become another one before it laid this footprint
     footprints: Footprints  # (K,)
 
 
@@ -25,14 +26,16 @@ class FootprintLog:
     """Footprints placed so far: the crowd's few latest, or all of them from `keep` on. A foot that stands on prolongs its
     footprint instead of leaving another."""
 
-    def __init__(self) -> None:
+    def __init__(self, characters: int) -> None:
         self.steps = 0
+        self.recasts = np.zeros(characters, np.int64)
+        """How often each character has become another one."""
         self._chunks: list[Walked] | None = None
 
     def keep(self, crowd: Crowd) -> None:
         """From now on nothing is forgotten; what the crowd still holds is taken."""
         if self._chunks is None:
-            self._chunks = _final(crowd)
+            self._chunks = self._final(crowd)
 
     def add(self, crowd: Crowd, placed: np.ndarray) -> None:
         """Takes what became final when placed[c] (C,) footprints were placed."""
@@ -41,19 +44,20 @@ class FootprintLog:
             back = placed[who] - k  # footprints placed from this one on, the newest included
             self.steps += int((~crowd.footprints.stands[who, crowd.real[who] - back]).sum())
             if self._chunks is not None:
-                self._chunks.append(_gather(crowd, who, crowd.real[who] - back - 2))
+                self._chunks.append(self._gather(crowd, who, crowd.real[who] - back - 2))
 
-    def close(self, crowd: Crowd, c: int) -> None:
-        """Takes the last two of character c, which is about to begin another row."""
+    def recast(self, crowd: Crowd, c: int) -> None:
+        """Takes the last two footprints of character c, which is about to become another one."""
         if self._chunks is not None:
-            self._chunks.append(_gather(crowd, np.array([c, c]), crowd.real[c] - np.array([2, 1])))
+            self._chunks.append(self._gather(crowd, np.array([c, c]), crowd.real[c] - np.array([2, 1])))
+        self.recasts[c] += 1
 
     def walked(self, crowd: Crowd) -> Walked:
         """All that is known, in the order of the contacts."""
         everyone = np.arange(len(crowd.kind))
-        pending = [_gather(crowd, everyone, crowd.real - 2), _gather(crowd, everyone, crowd.real - 1)]
-        rows = _joined((_final(crowd) if self._chunks is None else self._chunks) + pending)
-        rows = _sorted(rows, np.lexsort((rows.footprints.contact_time, rows.character)))
+        pending = [self._gather(crowd, everyone, crowd.real - 2), self._gather(crowd, everyone, crowd.real - 1)]
+        rows = _joined((self._final(crowd) if self._chunks is None else self._chunks) + pending)
+        rows = _sorted(rows, np.lexsort((rows.footprints.contact_time, rows.recasts, rows.character)))
         rows = _without_standing_on(rows)
         return _sorted(rows, np.lexsort((rows.character, rows.footprints.contact_time)))
 
@@ -65,64 +69,64 @@ class FootprintLog:
         """What `keep` has kept, as arrays to save; none where it was not asked for."""
         return {} if self._chunks is None else as_arrays(_joined(self._chunks))
 
-    def take(self, steps: int, kept: dict[str, np.ndarray]) -> None:
+    def take(self, steps: int, recasts: list[int], kept: dict[str, np.ndarray]) -> None:
         """Goes on from a saved state."""
         self.steps, self._chunks = steps, [from_arrays(kept)] if kept else None
+        self.recasts[:] = recasts
+
+    def placed_since(self, crowd: Crowd, seen: np.ndarray) -> Walked | None:
+        """The footprints placed since the numbers `seen` (C,), the oldest first; None where rows have forgotten some."""
+        new = crowd.number - seen
+        if (new > crowd.real).any() or (new < 0).any():
+            return None
+        found = [self._gather(crowd, *np.zeros((2, 0), np.int64))]
+        for back in range(int(new.max(initial=0)) - 1, -1, -1):
+            who = np.flatnonzero(new > back)
+            row = crowd.real[who] - 1 - back
+            moved = ~crowd.footprints.stands[who, row]
+            found.append(self._gather(crowd, who[moved], row[moved]))
+        return _joined(found)
+
+    def _final(self, crowd: Crowd) -> list[Walked]:
+        """The crowd's footprints but for the last two of each character."""
+        rows = [(np.flatnonzero(crowd.real - 2 > k), k) for k in range(int(crowd.real.max(initial=2)) - 2)]
+        none = self._gather(crowd, *np.zeros((2, 0), np.int64))
+        return [none, *(self._gather(crowd, who, np.full(len(who), k)) for who, k in rows)]
+
+    def _gather(self, crowd: Crowd, who: np.ndarray, row: np.ndarray) -> Walked:
+        return Walked(who, self.recasts[who], picked(crowd.footprints, (who, row)))
 
 
 def as_arrays(walked: Walked) -> dict[str, np.ndarray]:
     """Arrays by their names in files."""
     columns = {f"footprint_{name}": column for name, column in walked.footprints._asdict().items()}
-    return {"footprint_character": walked.character, **columns}
+    return {"footprint_character": walked.character, "footprint_recasts": walked.recasts, **columns}
 
 
 def from_arrays(arrays: dict[str, np.ndarray]) -> Walked:
     """What `as_arrays` made arrays of. Raises KeyError."""
     columns = (np.ascontiguousarray(arrays[f"footprint_{name}"]) for name in Footprints._fields)
-    return Walked(arrays["footprint_character"], Footprints(*columns))
-
-
-def _final(crowd: Crowd) -> list[Walked]:
-    """The crowd's footprints but for the last two of each character."""
-    rows = [(np.flatnonzero(crowd.real - 2 > k), k) for k in range(int(crowd.real.max(initial=2)) - 2)]
-    return [_gather(crowd, who, np.full(len(who), k)) for who, k in rows] or [_gather(crowd, *np.zeros((2, 0), np.int64))]
+    return Walked(arrays["footprint_character"], arrays["footprint_recasts"], Footprints(*columns))
 
 
 def _joined(chunks: list[Walked]) -> Walked:
     columns = (np.concatenate(parts) for parts in zip(*(chunk.footprints for chunk in chunks), strict=True))
-    return Walked(np.concatenate([chunk.character for chunk in chunks]), Footprints(*columns))
+    character, recasts = (np.concatenate([chunk[k] for chunk in chunks]) for k in (0, 1))
+    return Walked(character, recasts, Footprints(*columns))
 
 
 def _sorted(walked: Walked, order: np.ndarray) -> Walked:
-    return Walked(walked.character[order], picked(walked.footprints, order))
-
-
-def _gather(crowd: Crowd, who: np.ndarray, row: np.ndarray) -> Walked:
-    return Walked(who, picked(crowd.footprints, (who, row)))
+    return Walked(walked.character[order], walked.recasts[order], picked(walked.footprints, order))
 
 
 def _without_standing_on(walked: Walked) -> Walked:
     """Merges each row that stands on into the same foot's row before it."""
-    owner: dict[tuple[int, int], int] = {}
+    owner: dict[tuple, int] = {}
     rows = walked.footprints
-    for i, key in enumerate(zip(walked.character.tolist(), rows.side.tolist(), strict=True)):
+    for i, key in enumerate(zip(walked.character.tolist(), walked.recasts.tolist(), rows.side.tolist(), strict=True)):
         if rows.stands[i] and key in owner:
             begun = owner[key]
             rows.stance_time[begun] = rows.contact_time[i] + rows.stance_time[i] - rows.contact_time[begun]
         else:
             owner[key] = i
     return _sorted(walked, np.flatnonzero(~rows.stands))
-
-
-def placed_since(crowd: Crowd, seen: np.ndarray) -> Walked | None:
-    """The footprints that were placed since the numbers `seen` (C,), the oldest first; None where rows have forgotten some."""
-    new = crowd.number - seen
-    if (new > crowd.real).any() or (new < 0).any():
-        return None
-    found = [_gather(crowd, *np.zeros((2, 0), np.int64))]
-    for back in range(int(new.max(initial=0)) - 1, -1, -1):
-        who = np.flatnonzero(new > back)
-        row = crowd.real[who] - 1 - back
-        moved = ~crowd.footprints.stands[who, row]
-        found.append(_gather(crowd, who[moved], row[moved]))
-    return _joined(found)

@@ -13,7 +13,7 @@ from motion.track.curve import Curve
 from motion.track.footprints import Footprints
 from sim.rows import crowd as crowds
 from sim.rows import posing
-from sim.rows.footprint_log import FootprintLog, Walked, placed_since
+from sim.rows.footprint_log import FootprintLog, Walked
 from worlds.compiled.jit import start_threads
 from worlds.compiled.memory import Held
 from worlds.compiled.tables import copied, picked
@@ -39,7 +39,7 @@ class Cast:
         self.kinds, kind = kinds_of(self.characters)
         self.bipeds = table_of(self.kinds)
         self.crowd = crowds.empty_crowd(kind, **capacity)
-        self.footprints = FootprintLog()
+        self.footprints = FootprintLog(len(self.characters))
         self.changes: list[Change] = []
         self._shown: Held[posing.Shown] | None = None
         self.first_world, self.first_characters = world, list(characters)
@@ -131,7 +131,7 @@ class Cast:
 
     def placed_since(self, seen: np.ndarray) -> Walked | None:
         """The footprints placed since `steps_planned` was that; None where some are forgotten: ask for `walked`."""
-        return placed_since(self.crowd, seen)
+        return self.footprints.placed_since(self.crowd, seen)
 
     def walked(self) -> Walked:
         """The footprints that are known: the latest, or all where they are kept."""

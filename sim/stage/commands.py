@@ -182,7 +182,7 @@ class Recast(Command):
     @classmethod
     def to(cls, character: int, new: Character) -> "Recast":
         """The command for a character at hand."""
-        return cls(character, new.to_dict(), new.look.model_dump())
+        return cls(character, new.to_dict(), new.look.model_dump(mode="json"))
 
     def apply(self, sim: Simulation) -> None:
         """Changes it where there is room for the new body."""
@@ -193,8 +193,7 @@ class Recast(Command):
             raise InputError(f"{new.name}: no room for its body at ({x:.2f}, {y:.2f}), where character {self.character} stands")
         characters = [new if c == self.character else one for c, one in enumerate(sim.characters)]
         plans = sim.planner.prepare(sim.situation(sim.world)._replace(characters=characters))
-        sim.recast(self.character, new)
-        sim.change(sim.world, plans)
+        sim.recast(self.character, new, plans)
 
 
 @dataclass(frozen=True)

@@ -90,9 +90,9 @@ class Simulation(Cast):
         self._use(plans)
         self._hold(self._round.value._replace(world=world.arrays))
 
-    def recast(self, c: int, character: Character) -> None:
-        """Character c becomes another one, which stands from now on where its feet are."""
-        self.footprints.close(self.crowd, c)
+    def recast(self, c: int, character: Character, plans: Any) -> None:
+        """Character c becomes another one, which stands from now on where its feet are, and plans as `plans` say."""
+        self.footprints.recast(self.crowd, c)
         feet, number = self.feet(), int(self.crowd.number[c])
         middle = feet.position[c, :, :2].mean(axis=0)
         self.characters[c] = character
@@ -101,7 +101,9 @@ class Simulation(Cast):
         self.stand_beside(c, (float(middle[0]), float(middle[1])), float(feet.heading[c, 1]))
         self.crowd.number[c] = number
         self.crowd.intents.aim[c], self.crowd.intents.claim[c], self.crowd.intents.hindered[c] = 0.0, 0.0, 0
+        self._use(plans)
         self._publish_anew()
+        self._plan()
 
     def log(self, command: dict) -> None:
         """Remembers what was changed, and when."""

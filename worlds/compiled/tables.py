@@ -4,6 +4,7 @@ A table's class declares each column once, by its type: `heading: Numbers`, `pos
 Column of its own. Making, slicing and copying ask the class, so a new column needs no other line.
 """
 
+from functools import cache
 from typing import Annotated, Any, NamedTuple, TypeVar, get_type_hints
 
 import numpy as np
@@ -33,6 +34,7 @@ Indices = Annotated[np.ndarray, Column(np.int64, fill=-1)]
 Truths = Annotated[np.ndarray, Column(np.bool_)]
 
 
+@cache
 def columns_of(kind: type) -> dict[str, Column]:
     """The columns of a table's class."""
     hints = get_type_hints(kind, include_extras=True)

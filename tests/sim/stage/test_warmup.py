@@ -13,7 +13,7 @@ from planner.modes.wander import Wander
 from planner.script import laying
 from planner.script.scene import load_scene
 from sim.rows import crowd, posing, rounds
-from sim.stage import warmup
+from sim.stage import kernels, warmup
 from sim.stage.performance import Performance
 from sim.stage.simulation import Simulation
 from worlds.compiled.parts import Part
@@ -21,9 +21,10 @@ from worlds.level import load_level
 
 
 def test_nothing_is_left_to_compile():
-    kernels = [kernel for step in warmup.steps().values() for kernel, _ in step]
-    warmup._compile(tuple(warmup.steps()), tuple(warmup.steps()), lambda line: None)
-    compiled = [_compiled(kernel) for kernel in kernels]
+    needed = kernels.steps()
+    every = [kernel for step in needed.values() for kernel, _ in step]
+    warmup._compile(tuple(needed), tuple(needed), lambda line: None)
+    compiled = [_compiled(kernel) for kernel in every]
     sim = Simulation(load_level("forest"), [load_character("human")] * 3, Wander(), 1)
     for _ in range(90):
         sim.tick()
@@ -37,8 +38,8 @@ def test_nothing_is_left_to_compile():
         laying.lay_steps,
         posing.pose_rows,
         crowd.stand,
-    } <= set(kernels)
-    assert [_compiled(kernel) for kernel in kernels] == compiled
+    } <= set(every)
+    assert [_compiled(kernel) for kernel in every] == compiled
 
 
 def test_threads_run_before_kernels_are_loaded():
@@ -61,11 +62,11 @@ def _compiled(kernel) -> list:
 
 @pytest.mark.parametrize("command", warmup.NEEDED)
 def test_progress_names_what_is_compiled(command, tmp_path, monkeypatch):
-    names = set(warmup.steps())
+    names = set(kernels.steps())
     ours, theirs = warmup.NEEDED[command]
     assert {*ours, *theirs} <= names
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    monkeypatch.setattr(warmup, "steps", lambda: {name: [] for name in names})
+    monkeypatch.setattr(kernels, "steps", lambda: {name: [] for name in names})
     helped = Mock(poll=lambda: 0)
     monkeypatch.setattr(warmup.subprocess, "Popen", Mock(return_value=helped))
     told: list[str] = []

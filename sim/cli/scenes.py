@@ -1,0 +1,68 @@
+"""`play`, `sheets` and `check`: what files say, played, drawn and checked."""
+
+import sys
+from pathlib import Path
+from typing import Any
+
+from motion.characters.character import load_character
+from planner.script.scene import load_scene, scene_names
+from sim.cli.show import show
+from sim.cli.status import BAD_INPUT, DONE
+from sim.stage.performance import Performance
+from worlds import reading
+from worlds.errors import InputError
+from worlds.level import load_level
+
+
+def play(options: Any) -> int:
+    """A scripted scene: solved as a whole, then shown, recorded or drawn like any run."""
+    if options.list:
+        for name in scene_names():
+            print(f"{name:24}{load_scene(name).about}")
+        return DONE
+
+    def make(scene: str = options.level, character: str | None = options.character, seed: int = 0) -> Performance:
+        return Performance(load_scene(scene), load_character(character) if character else None)
+
+    return show(options, make, scene_names())
+
+
+def sheets(options: Any) -> int:
+    """A contact sheet of every scene, or of those named."""
+    from sim.view.graphics.gl import HINT, NoGL
+    from sim.view.pictures.sheet import write_index, write_sheets
+
+    folder = Path(options.folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        paths = write_sheets({Path(n).stem: Performance(load_scene(n)) for n in options.scenes or scene_names()}, folder)
+    except NoGL as error:
+        raise InputError(f"contact sheets: {HINT} ({error})") from None
+    if not options.scenes:
+        paths.append(write_index(folder))
+    print(f"wrote {len(paths)} files to {folder.resolve()}")
+    return DONE
+
+
+def check(options: Any) -> int:
+    """Names every fault of the files."""
+    faults = 0
+    for name in options.files:
+        try:
+            print(f"{name}: fine ({_checked(name)})")
+        except InputError as error:
+            print(error, file=sys.stderr)
+            faults += 1
+    return BAD_INPUT if faults else DONE
+
+
+def _checked(name: str) -> str:
+    """What a level, scene or character file holds, by its tables. Raises InputError."""
+    tables = reading.tables_of(name)
+    if {"biped", "leg"} & tables:
+        return f"character {load_character(name).name}"
+    if {"footprint", "path"} & tables:
+        show = Performance(load_scene(name))
+        return f"scene {show.scene.name}: {show.footprints.steps} steps, {show.end:.1f} s"
+    world = load_level(name)
+    return f"{world.name}: {len(world.trees)} trees, {len(world.rocks)} rocks"

@@ -1,0 +1,55 @@
+"""The kernels that a person waits for, by plain names, with the types that they are called with: for the first start."""
+
+from typing import Any
+
+import numpy as np
+
+from motion import motion
+from motion.characters.character import load_character
+from motion.com import newton, window
+from motion.pose.pose import empty_pose
+from motion.pose.posing import pose_one
+from motion.track.footprints import STEP, Footprints
+from planner.modes.wander import Wander
+from planner.river import search
+from planner.river.rock_hop import RockHop
+from planner.script import laying
+from sim.rows import crowd as crowds
+from sim.rows import posing, rounds
+from sim.stage.cast import TICK_RATE, Cast
+from worlds import queries
+from worlds.compiled.tables import empty
+from worlds.world import World
+
+
+def steps() -> dict[str, list[tuple[Any, tuple]]]:
+    """Kernels by plain names, with arguments of the types that they are called with."""
+    world = World("warm-up", (10.0, 10.0), start=(5.0, 5.0))
+    cast = Cast(world, [load_character("bird")], 0, TICK_RATE)
+    crowd, bipeds, w, biped = cast.crowd, cast.bipeds, world.arrays, cast.bipeds[0]
+    one, matrix, place = np.zeros(2, np.int64), np.zeros((2, 3)), (w, 0.0, 0.0)
+    spots = search.Spots(matrix, one, matrix)
+    return {
+        "window solve": [(rounds.optimise_step, ())],
+        "placing footprints": [(rounds.plan_step, ())],
+        "wandering": [(Wander.planning.part, ())],
+        "crossing": [(RockHop.planning.part, ())],
+        "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), 0, 0.0, one))],
+        "poses": [
+            (pose_one, ()),
+            (posing.pose_rows, (0, 0, 0.0, one, empty_pose(1))),
+            (posing.com_all, (0, 0.0, matrix)),
+        ],
+        "standing": [
+            (crowds.stand, (crowd, bipeds, w, 0, 0, matrix, 0.0)),
+            (rounds.publish_all, (0, one)),
+        ],
+        "ground": [
+            (queries.rock_under, (*place, 0.0)),
+            (queries.survey, (w, np.zeros((2, 2)), matrix)),
+            *((kernel, place) for kernel in (queries.clearance, queries.terrain_height, queries.in_water)),
+        ],
+        "route search": [(search.find, (biped, spots, 0, 0))],
+        "laying footprints": [(laying.lay_steps, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP), 0.0, 0.0))],
+        "whole curves": [(motion.solve_track, (biped, empty(Footprints, 1), 0.0, window.SCENE, newton.SCENE))],
+    }

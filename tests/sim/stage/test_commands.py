@@ -1,0 +1,218 @@
+"""Changes of a running simulation: whole or not at all, logged, and done again to the same bit."""
+
+import json
+
+import numpy as np
+import pytest
+
+from motion.characters.character import load_character
+from motion.track.footprints import LEFT, RIGHT, Step
+from planner.modes.external import ROOM, External
+from planner.modes.wander import Wander
+from planner.planner import NoWay
+from sim.files.archive import flat
+from sim.files.recording import Recorder, load_recording
+from sim.files.saving import restore, save
+from sim.reports.measure import measure
+from sim.stage.commands import COMMANDS, Give, Pause, PlantTree, PutRock, Recast, Remove, SetGoal, apply, from_plain, replay
+from sim.stage.making import make_simulation
+from sim.stage.simulation import Simulation
+from worlds.errors import InputError
+from worlds.level import load_level
+from worlds.world import World
+
+NAN = float("nan")
+
+
+def ticked(sim, ticks):
+    for _ in range(ticks):
+        sim.tick()
+    return sim
+
+
+def crossing():
+    return make_simulation("river_easy", "human", 1, 0, True)
+
+
+def wandering():
+    return make_simulation("forest", "bird", 3, 2, False)
+
+
+def fed():
+    return Simulation(World("yard", (20.0, 10.0)), [load_character("human")], External([(2.0, 5.0, 0.0)]))
+
+
+def state(sim):
+    """All that could differ, in bytes."""
+    rows = flat("crowd", sim.crowd) | ({} if sim.plans is None else flat("plans", sim.plans)) | flat("held", sim.reservations)
+    plain = [sim.world.to_dict(), sim.ticks, sim.changes, [character.name for character in sim.characters]]
+    return json.dumps(plain, sort_keys=True), {name: np.asarray(array).tobytes() for name, array in rows.items()}
+
+
+REFUSED = {
+    "tree on a foot": (wandering, lambda sim: PlantTree(*sim.feet().position[0, 0, :2].tolist()), "too near to a foot"),
+    "tree outside": (wandering, lambda sim: PlantTree(-1.0, 5.0), "outside the world"),
+    "tree of no size": (wandering, lambda sim: PlantTree(5.0, 5.0, NAN), "radius"),
+    "rock of no height": (wandering, lambda sim: PutRock(5.0, 5.0, 0.5, -1.0), "height"),
+    "no such tree": (wandering, lambda sim: Remove("tree", 10_000), "counted from 0"),
+    "no such thing": (wandering, lambda sim: Remove("tre", 0), "did you mean tree"),
+    "goal in a tree": (wandering, lambda sim: SetGoal(*sim.world.trees[0, :2].tolist()), "needs dry ground"),
+    "no such character": (wandering, lambda sim: Pause(7), "there are 3"),
+    "a body too large": (wandering, lambda sim: Recast.to(0, sized("dinosaur", 30)), "no room"),
+    "fed by nobody": (wandering, lambda sim: Give(0, (Step(LEFT, 5.0, 5.0, 0.0),)), "takes no footprints"),
+    "steps from nowhere": (fed, lambda sim: Give(0, (Step(LEFT, 5.0, 5.1, 0.0), Step(RIGHT, NAN, 5.0, 0.0))), "steps.1"),
+    "too many steps": (fed, lambda sim: Give(0, (Step(LEFT, 5.0, 5.0, 0.0),) * (ROOM + 1)), f"{ROOM} in all"),
+    "no foot": (fed, lambda sim: Give(0, (Step(2, 5.0, 5.0, 0.0),)), "steps.0.side"),
+    "longer than a minute": (fed, lambda sim: Give(0, (Step(LEFT, 5.0, 5.0, 0.0, time=90.0),)), "steps.0.time"),
+}
+
+
+def sized(name, scale):
+    character = load_character(name)
+    plain = character.to_dict()
+    plain["body_radius"] *= scale
+    return type(character).from_dict(plain, character.look.model_dump())
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_a_refused_command_leaves_no_trace(case):
+    make, command, said = REFUSED[case]
+    sim = ticked(make(), 120)
+    before = state(sim)
+    with pytest.raises(InputError, match=said):
+        apply(sim, command(sim))
+    assert state(sim) == before
+    ticked(sim, 60)
+
+
+def test_a_change_that_leaves_no_way_leaves_no_trace():
+    sim = ticked(make_simulation("river_leaps", "human", 1, 0, True), 100)
+    before, done = state(sim), 0
+    with pytest.raises(NoWay):
+        for index in reversed(range(len(sim.world.rocks))):
+            apply(sim, Remove("rock", index))
+            before, done = state(sim), done + 1
+    assert state(sim) == before and len(sim.changes) == done
+    for _ in range(90 * 60):
+        sim.tick()
+        if sim.reached_goal.all():
+            return
+    pytest.fail("it does not go on to its goal")
+
+
+def changed_river():
+    sim = ticked(crossing(), 90)
+    apply(sim, PutRock(6.0, 5.0, 0.5, 0.2))
+    apply(sim, SetGoal(22.0, 5.0))
+    ticked(sim, 130)
+    apply(sim, Pause(0))
+    ticked(sim, 100)
+    apply(sim, Pause(0, False))
+    return ticked(sim, 200)
+
+
+def changed_wander():
+    sim = ticked(wandering(), 150)
+    apply(sim, PlantTree(30.0, 30.0, 0.4))
+    apply(sim, Recast.to(1, load_character("human")))
+    ticked(sim, 200)
+    apply(sim, Remove("tree", 3))
+    apply(sim, Recast.to(0, load_character("dinosaur")))
+    return ticked(sim, 250)
+
+
+def changed_feet():
+    sim, side, x = ticked(fed(), 60), LEFT, 2.0
+    for k in range(12):
+        x += 0.5
+        apply(sim, Give(0, (Step(side, x, 5.06 if side == LEFT else 4.94, 0.0, time=0.6 if k == 5 else NAN),)))
+        side = 1 - side
+        ticked(sim, 30)
+    return ticked(sim, 120)
+
+
+RUNS = {"river": (crossing, changed_river), "wander": (wandering, changed_wander), "fed": (fed, changed_feet)}
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_a_replay_is_the_same_to_the_bit(name):
+    make, run = RUNS[name]
+    sim = run()
+    again = make()
+    replay(again, sim.changes, sim.ticks)
+    assert state(again) == state(sim)
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_commands_outlive_files(name, tmp_path):
+    """A saved state knows what was done before it, and goes on as the run did; a recording can be replayed."""
+    make, run = RUNS[name]
+    sim = run()
+    save(sim, tmp_path / "s.npz")
+    restored = restore(tmp_path / "s.npz")
+    assert restored.changes == sim.changes
+    assert state(ticked(restored, 150)) == state(ticked(sim, 150))
+    Recorder(sim).save(tmp_path / "r.npz")
+    again = make()
+    replay(again, load_recording(tmp_path / "r.npz").changes, sim.ticks)
+    assert state(again) == state(sim)
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_a_command_is_plain_json_and_back(name):
+    for change in RUNS[name][1]().changes:
+        plain = json.loads(json.dumps(change.command))
+        assert from_plain(plain).as_plain() == change.command and plain["command"] in COMMANDS
+
+
+def test_what_is_no_command_is_refused():
+    for plain in ({"command": "fly"}, {}, {"command": "pause", "characters": 1}):
+        with pytest.raises(InputError, match="is no command"):
+            from_plain(plain)
+
+
+def test_one_that_is_paused_stands_while_the_others_go_on():
+    sim = ticked(wandering(), 200)
+    apply(sim, Pause(1))
+    ticked(sim, 120)
+    still = sim.snapshot().toe[1].copy()
+    moved = sim.com()[0].copy()
+    ticked(sim, 240)
+    np.testing.assert_array_equal(sim.snapshot().toe[1], still)
+    assert np.linalg.norm(sim.com()[0] - moved) > 0.5
+    apply(sim, Pause(1, False))
+    ticked(sim, 300)
+    assert np.abs(sim.snapshot().toe[1] - still).max() > 0.3
+
+
+def test_one_that_is_recast_walks_on_where_it_stood():
+    sim = ticked(wandering(), 300)
+    feet = sim.feet().position[1, :, :2].mean(axis=0)
+    apply(sim, Recast.to(1, load_character("human")))
+    assert np.linalg.norm(sim.com()[1, :2] - feet) < 0.2 and sim.leg(1) > 1.7 * sim.leg(0)
+    ticked(sim, 600)
+    assert np.linalg.norm(sim.com()[1, :2] - feet) > 1.0
+
+
+def test_edits_do_not_falsify_a_measurement():
+    """A tree planted where footprints lie by then was not there when they were made; nor does one of a human measure a bird."""
+    sim = make_simulation("forest", "bird", 1, 4, False)
+    recorder = Recorder(sim)
+    for k in range(1200):
+        sim.tick()
+        recorder.capture()
+        if k == 600:
+            behind = sim.walked().footprints.position[2, :2].tolist()
+            apply(sim, PlantTree(*behind, 0.4))
+        if k == 800:
+            apply(sim, Recast.to(0, load_character("human")))
+    report = measure(recorder.recording())
+    assert report["worst"]["tree_distance"] > 0.1
+    assert [one["name"] for one in report["characters"]] == ["bird", "human"]
+    assert report["worst"]["skate"] < 1e-3 and report["worst"]["overreach"] < 1e-3
+
+
+def test_wanderers_of_a_level_change_worlds_without_losing_their_way():
+    sim = ticked(Simulation(load_level("forest_river"), [load_character("human")], Wander(), 3), 100)
+    apply(sim, PutRock(5.0, 5.0))
+    assert ticked(sim, 300).steps_planned[0] > 5
