@@ -1,6 +1,6 @@
 """What planners ask of a world at a point: kernels that look into one grid cell."""
 
-from math import atan2, cos, floor, hypot, sin, sqrt
+from math import atan2, cos, floor, hypot, sin
 
 import numpy as np
 
@@ -59,15 +59,6 @@ def _map_height(heights: np.ndarray, column: float, row: float) -> float:
 
 
 @jit_borrowing
-def terrain_normal(world: WorldArrays, x: float, y: float, span: float) -> tuple[float, float, float]:
-    """Unit normal of the ground by central differences over +-span [m]."""
-    dx = (terrain_height(world, x + span, y) - terrain_height(world, x - span, y)) / (2 * span)
-    dy = (terrain_height(world, x, y + span) - terrain_height(world, x, y - span)) / (2 * span)
-    length = sqrt(dx * dx + dy * dy + 1)
-    return -dx / length, -dy / length, 1 / length
-
-
-@jit_borrowing
 def cell_of(world: WorldArrays, x: float, y: float) -> int:
     """Grid cell of a point; points outside belong to the nearest one."""
     rows = (len(world.tree_start) - 1) // world.columns
@@ -109,20 +100,6 @@ def water_clearance(world: WorldArrays, x: float, y: float) -> float:
 def clearance(world: WorldArrays, x: float, y: float) -> float:
     """Distance to the nearest tree, water or border [m], negative inside one, at most REACH."""
     return min(border_clearance(world, x, y), tree_clearance(world, x, y), water_clearance(world, x, y))
-
-
-@jit_borrowing
-def path_clearance(world: WorldArrays, x0: float, y0: float, x1: float, y1: float) -> float:
-    """Least clearance along a line, to 5 cm: it changes no faster than one moves, so whole stretches are skipped."""
-    length = hypot(x1 - x0, y1 - y0)
-    done, least = 0.0, REACH
-    while True:
-        s = min(done / length, 1.0) if length > 0 else 1.0
-        here = clearance(world, x0 + s * (x1 - x0), y0 + s * (y1 - y0))
-        least = min(least, here)
-        if s >= 1 or here <= 0:
-            return least
-        done += max(here - least, 0.05)
 
 
 @jit_borrowing

@@ -2,7 +2,7 @@
 
 Block row i is [B D B'^T | r]. Column by column, with d the pivot: l = column / d below the diagonal, and every column to the
 right loses l times what stands in its row. The coupling B' to the next point is a continuation of the column, and r its row
-R6, so that both are eliminated by the same operation. What remains of r is z = D^-1 L^-1 r; backward, L^T step = z.
+6, so that both are eliminated by the same operation. What remains of r is z = D^-1 L^-1 r; backward, L^T step = z.
 """
 
 from typing import NamedTuple
@@ -18,15 +18,13 @@ from worlds.compiled.lanes import LANES, choose, lanes_of, load, store, total
 DAMPING = 1e-6
 """Share of the diagonal that is added to it: keeps directions that nothing holds from running away."""
 _LEAST = 1e-12
-_R6 = 6
-"""The row of a column that holds the right side."""
 
 
 class Factor(NamedTuple):
     """Of m + 1 blocks, by columns."""
 
-    own: np.ndarray  # (m + 1, 6, ROWS) L below its pivots in the own block, z in row R6
-    next: np.ndarray  # (m + 1, 6, ROWS) L in the next block, z in row R6
+    own: np.ndarray  # (m + 1, 6, ROWS) L below its pivots in the own block, z in row 6
+    next: np.ndarray  # (m + 1, 6, ROWS) L in the next block, z in row 6
     raw: np.ndarray  # (6, ROWS) the last block's `next`, not yet divided by the pivots
     step: np.ndarray  # (m + 1, 6)
 
@@ -91,7 +89,7 @@ def _eliminate(equations: Equations, factor: Factor, i: int) -> None:
 
 @jit_inline
 def _substitute(factor: Factor, i: int, u0: Some, u1: Some) -> None:
-    """step of block i, from that of the next one as Lanes, -1 in row R6."""
+    """step of block i, from that of the next one as Lanes, -1 in row 6."""
     own, following, x = factor.own, factor.next, factor.step
     for c in range(5, -1, -1):
         x[i, c] = -total(load(following, (i, c, 0)) * u0 + load(following, (i, c, LANES)) * u1)

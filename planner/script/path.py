@@ -49,13 +49,13 @@ def footprints_along(path: Path, character: Character) -> list[Footprint]:
     """The footprints of a character along a path; the first two are stood on."""
     line = hermite_path(path.points)
     length = float(np.hypot(*np.diff(line, axis=0).T).sum())
-    middles, ways = strides.along(line, np.concatenate([[0.0, 0.0], _distances(path, length), [length]]))
+    middles, directions = strides.along(line, np.concatenate([[0.0, 0.0], _distances(path, length), [length]]))
     width = character.biped.gait.step_width if path.step_width is None else path.step_width
     side = 1 - SIDES.index(path.first)  # the foot that steps first is the older of the two stood on
     footprints = []
-    for k, (middle, way) in enumerate(zip(middles, np.unwrap(ways), strict=True)):
+    for k, (middle, direction) in enumerate(zip(middles, np.unwrap(directions), strict=True)):
         foot = (side + k + 1) % 2
-        heading = way + radians(path.feet_deg)
+        heading = direction + radians(path.feet_deg)
         across = 0.5 * width * (1 - 2 * foot)
         place = (middle[0] - across * np.sin(heading), middle[1] + across * np.cos(heading))
         footprints.append(_footprint(path, foot, place, heading, k > 1, last=k == len(middles) - 1))

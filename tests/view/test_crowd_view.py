@@ -9,7 +9,7 @@ from sim.stage.simulation import Simulation
 from sim.view.bodies import bodies
 from sim.view.bodies.clay import Clay
 from sim.view.bodies.dress import COLOURS, colours_of
-from sim.view.graphics import detail, gl, shaders
+from sim.view.graphics import detail, shaders
 from sim.view.graphics.camera import Camera
 from sim.view.scenery.trail import Trail
 from sim.view.window import picking
@@ -17,17 +17,6 @@ from tests import reference
 from worlds.level import load_level
 
 KINDS = ("bird", "dinosaur", "human")
-
-
-@pytest.fixture(scope="module")
-def picture():
-    from sim.view.graphics.quality import Quality
-    from sim.view.pictures.offscreen import Picture
-
-    try:
-        return Picture((320, 180), Quality(512, 1, 0, 1.0))
-    except gl.NoGL as error:
-        pytest.skip(str(error))
 
 
 @pytest.fixture(scope="module")

@@ -4,21 +4,9 @@ import numpy as np
 import pytest
 
 from sim.stage.making import make_simulation
-from sim.view.graphics import gl
 from sim.view.graphics.camera import Camera
 from sim.view.window import picking
 from worlds.level import load_level
-
-
-@pytest.fixture(scope="module")
-def picture():
-    from sim.view.graphics.quality import Quality
-    from sim.view.pictures.offscreen import Picture
-
-    try:
-        return Picture((320, 180), Quality(512, 1, 0, 1.0))
-    except gl.NoGL as error:
-        pytest.skip(str(error))
 
 
 @pytest.mark.parametrize("character", ["bird", "dinosaur", "human"])

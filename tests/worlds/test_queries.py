@@ -46,25 +46,6 @@ def test_clearance_is_the_brute_force_one(x, y):
     assert (queries.rock_under(w, x, y, 0.05) in inside) == bool(len(inside))
 
 
-def test_path_clearance_finds_the_least():
-    w, rng = WORLD.arrays, np.random.default_rng(1)
-    for _ in range(50):
-        a, b = rng.uniform(2, 38, (2, 2))
-        samples = [queries.clearance(w, *(a + s * (b - a))) for s in np.linspace(0, 1, 2000)]
-        found = queries.path_clearance(w, *a, *b)
-        assert found >= min(samples) - 1e-2
-        assert (found <= 0) == (min(samples) <= 0) or abs(min(samples)) < 0.06
-        if min(samples) > 0:
-            assert found == pytest.approx(min(samples), abs=0.06)
-
-
-def test_normal_is_the_gradient_of_the_height():
-    n = queries.terrain_normal(WORLD.arrays, 11.0, 7.0, 1e-4)
-    dx = (queries.terrain_height(WORLD.arrays, 11.0 + 1e-5, 7.0) - queries.terrain_height(WORLD.arrays, 11.0, 7.0)) / 1e-5
-    assert -n[0] / n[2] == pytest.approx(dx, abs=1e-4)
-    assert np.linalg.norm(n) == pytest.approx(1)
-
-
 def test_terrains():
     stairs = World("s", (20.0, 5.0), "stairs", (5.0, 0.2, 0.3, 4.0)).arrays
     heights = [queries.terrain_height(stairs, x, 1.0) for x in (4.9, 5.1, 5.4, 6.5)]
