@@ -18,11 +18,11 @@ from motion.com.laying import Layout
 from motion.com.newton import Effort
 from motion.com.standing import above_feet
 from motion.com.window import Ends, Solved, optimise_track
-from motion.pose.bones import Bones, Placed
+from motion.pose.bones import INDEX, Bones, Placed
 from motion.pose.pose import Pose, empty_pose
 from motion.pose.posing import pose_into
 from motion.pose.skeleton import Skeleton, skeleton_of
-from motion.pose.turning import fill_bones, lay_bones
+from motion.pose.turning import fill_all_bones, lay_bones
 from motion.track.curve import Curve, Track
 from motion.track.footprints import Footprints, first
 from worlds.compiled.jit import jit
@@ -64,17 +64,22 @@ class Motion:
         return skeleton_of(self.character)
 
     def bones(self, time: float) -> Bones:
-        """The root's place and every bone's rotation at a time [s], of one row."""
-        bones = empty(Bones, 1)
-        fill_bones(self.character.biped, self.pose(time), 0, bones)
-        return bones
+        """The root's place and the rotation of each bone of the skeleton at a time [s], of one row."""
+        return bones_of(self.character, self.pose(time), self.skeleton)
+
+
+def bones_of(character: Character, pose: Pose, skeleton: Skeleton) -> Bones:
+    """The bones of a pose whose rows are all of one character's kind: those of its skeleton, in its order."""
+    bones, which = empty(Bones, len(pose.phase)), [INDEX[name] for name in skeleton.names]
+    fill_all_bones(character.biped, pose, bones)
+    return Bones(bones.root, bones.rotation_wxyz[:, which], bones.stretch[:, which])
 
 
 def placed(bones: Bones, skeleton: Skeleton) -> Placed:
     """Where the bones of a skeleton are: heads, tips and rotations in the world."""
     count = (len(bones.root), len(skeleton.parent))
     out = Placed(np.empty((*count, 3)), np.empty((*count, 3)), np.empty((*count, 4)))
-    lay_bones(bones, skeleton.parent, skeleton.offset, skeleton.tip, skeleton.bone, out)
+    lay_bones(bones, skeleton.parent, skeleton.offset, skeleton.tip, out)
     return out
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from motion.characters.character import Character
 from motion.track.footprints import Footprints
 from planner.round.kernel import Planning
+from worlds.errors import InputError
 from worlds.world import World
 
 
@@ -56,6 +57,28 @@ class Planner(Protocol):
 
     def values(self) -> dict:
         """What the planner was made with, as plain JSON values: keyword arguments of its class."""
+
+
+def as_numbers(values: Any, what: str) -> np.ndarray:
+    """An array of them. Raises InputError for what are none, or none of equal shape."""
+    try:
+        return np.array(values, np.float64)
+    except (TypeError, ValueError):
+        raise InputError(f"{what} = {values!r}: an array of numbers is needed") from None
+
+
+def checked_starts(starts: Any, world: World, characters: int) -> np.ndarray:
+    """starts, which must be (C, 3) finite x, y, heading inside the world, one for each character; or raises InputError."""
+    places = as_numbers(starts, "starts")
+    if places.ndim != 2 or places.shape[1] != 3 or not np.isfinite(places).all():
+        raise InputError(f"starts of shape {np.shape(places)}: (C, 3), finite numbers x, y [m], heading [rad], are needed")
+    if len(places) != characters:
+        raise InputError(f"{len(places)} starts for {characters} characters: one for each is needed")
+    for c, (x, y, _) in enumerate(places.tolist()):
+        if not (0 <= x <= world.size[0] and 0 <= y <= world.size[1]):
+            inside = f"0..{world.size[0]:g} by 0..{world.size[1]:g} is allowed"
+            raise InputError(f"starts.{c} at ({x:g}, {y:g}): is outside the world; {inside}")
+    return places
 
 
 STAND_TIME = 0.5

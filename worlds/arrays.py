@@ -20,7 +20,7 @@ class WorldArrays(NamedTuple):
 
     bounds: np.ndarray  # (4,) xmin, ymin, xmax, ymax
     terrain_kind: int  # FLAT ...
-    terrain: np.ndarray  # (8,) parameters, see worlds.terrain
+    terrain: np.ndarray  # (8,) parameters, see worlds.ground
     heights: np.ndarray  # (ny, nx) of a heightmap, row 0 at y = 0; (1, 1) otherwise
     trees: np.ndarray  # (T, 3) x, y, radius
     banks: np.ndarray  # (S, 5) river pieces: x0, y0, x1, y1, half width

@@ -52,7 +52,7 @@ def read_model(path: Path, model: type[Model], what: str, needs: str) -> Model:
     return checked(path, read_toml(path, what, needs), model)
 
 
-def checked(path: Path, plain: dict, model: type[Model]) -> Model:
+def checked(path: Path | str, plain: dict, model: type[Model]) -> Model:
     """What a file holds as checked data. Raises InputError naming every fault."""
     try:
         return model.model_validate(plain)

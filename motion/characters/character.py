@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, create_model
 from motion.characters import former
 from motion.characters.checks import faults
 from motion.characters.dimensions import TABLES, Dimensions, flat_name, record_of
-from motion.characters.quantities import quantities_of
+from motion.characters.quantities import SCALES, Quantity, quantities_of
 from worlds import reading
 from worlds.errors import InputError
 
@@ -59,8 +59,32 @@ class Character:
 
     @classmethod
     def from_dict(cls, plain: dict, look: dict) -> "Character":
-        """The character that `to_dict` described, with these looks. Raises KeyError, ValueError."""
-        return cls(plain["name"], record_of(lambda table, field: float(plain[flat_name(table, field)])), Look(**look))
+        """The character that `to_dict` described, with these looks. Raises InputError naming every fault."""
+        known = {flat_name(table, field): q for table, kind in TABLES.items() for field, q in quantities_of(kind).items()}
+        wrong = [
+            f"{name} = {plain.get(name)!r}: {_allowed(quantity)}"
+            for name, quantity in known.items()
+            if not _is_number(plain.get(name)) or not quantity.can_be(plain[name])
+        ]
+        wrong += [f"{name}: is nothing of a character" for name in plain if name not in known and name != "name"]
+        if not isinstance(plain.get("name"), str):
+            wrong.append(f"name = {plain.get('name')!r}: text is needed")
+        if wrong:
+            raise InputError("\n".join(f"character: {fault}" for fault in wrong))
+        looks = reading.checked("character: look", look, Look)
+        character = cls(plain["name"], record_of(lambda table, field: float(plain[flat_name(table, field)])), looks)
+        if together := faults(character.biped):
+            raise InputError("\n".join(f"character: {fault}" for fault in together))
+        return character
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _allowed(quantity: Quantity) -> str:
+    low, high = quantity.from_file(quantity.low, 1.0), quantity.from_file(quantity.high, 1.0)
+    return f"a number from {low:.4g} to {high:.4g} {quantity.unit}, times the scale, is needed".replace(" ,", ",")
 
 
 def _limits(table: type) -> Any:
@@ -76,7 +100,7 @@ _File: Any = create_model(
     __config__=ConfigDict(extra="forbid", strict=True),
     format=(Literal[2], ...),
     name=(Annotated[str, Field(min_length=1, max_length=100)], ...),
-    scale=(Annotated[float, Field(ge=0.01, le=100, allow_inf_nan=False)], 1.0),
+    scale=(Annotated[float, Field(ge=SCALES[0], le=SCALES[1], allow_inf_nan=False)], 1.0),
     **{name: (_limits(table), ...) for name, table in TABLES.items()},
     look=(Look, Look()),
 )  # type: ignore[call-overload]

@@ -5,6 +5,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+SCALES = (0.01, 100.0)
+"""How much smaller and larger a character may be made."""
+
 
 class Quantity(NamedTuple):
     """One number. In files angles are degrees, and their keys say so; kernels get radians."""
@@ -27,6 +30,15 @@ class Quantity(NamedTuple):
         """
         growth = {"m": 1, "1/s^2/m": -2}.get(self.unit, 0)
         return math.radians(value) if self.unit == "rad" else value * scale**growth if growth and scale != 1 else value
+
+    def can_be(self, value: float) -> bool:
+        """Whether kernels can have it: what a file allows, for a character of any `scale` that a file allows."""
+        low, high = sorted((self.from_file(self.low, 1.0), self.from_file(self.high, 1.0)))
+        if self.unit == "m":
+            low, high = low * SCALES[1 if low < 0 else 0], high * SCALES[1]
+        elif self.unit == "1/s^2/m":
+            low, high = low * SCALES[1] ** -2, high * SCALES[0] ** -2
+        return low <= value <= high
 
 
 def metres(meaning: str, low: float = 1e-3, high: float = 100.0) -> Any:

@@ -28,11 +28,14 @@ _PARENTS = {
 
 
 class Bones(NamedTuple):
-    """C characters at one time: all of BONES, also those that a character lacks, which stay as at rest."""
+    """C characters at one time: the B bones of their skeleton (motion.motion.bones_of).
+
+    Kernels fill all of BONES, those that a character lacks stay as at rest.
+    """
 
     root: Vectors  # (C, 3) place of the root: the com [m]
-    rotation_wxyz: Annotated[np.ndarray, Column(shape=(len(BONES), 4))]  # (C, BONES, 4) against the parent
-    stretch: Annotated[np.ndarray, Column(shape=(len(BONES),), fill=1.0)]  # (C, BONES) times its length
+    rotation_wxyz: Annotated[np.ndarray, Column(shape=(len(BONES), 4))]  # (C, B, 4) against the parent
+    stretch: Annotated[np.ndarray, Column(shape=(len(BONES),), fill=1.0)]  # (C, B) times the rest length
 
 
 class Placed(NamedTuple):

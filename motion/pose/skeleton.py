@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.characters.character import Character
-from motion.pose.bones import BONES, INDEX, parent_of
+from motion.pose.bones import BONES, parent_of
 from motion.pose.limbs import TAIL
 
 WING = (0.12, 0.23, 0.10)
@@ -26,7 +26,6 @@ class Skeleton(NamedTuple):
     parent: np.ndarray  # (B,) index, -1 of the root
     offset: np.ndarray  # (B, 3) head of the bone from that of its parent; of the root its height when standing
     tip: np.ndarray  # (B, 3) far end of the bone from its head
-    bone: np.ndarray  # (B,) index into BONES
 
 
 def skeleton_of(character: Character) -> Skeleton:
@@ -41,7 +40,7 @@ def skeleton_of(character: Character) -> Skeleton:
         parents.append(names.index(above) if above else -1)
     return Skeleton(
         names, np.array(parents), np.array([offsets[name] for name in names], np.float64),
-        np.array([tips[name] for name in names], np.float64), np.array([INDEX[name] for name in names]),
+        np.array([tips[name] for name in names], np.float64),
     )  # fmt: skip
 
 

@@ -165,21 +165,21 @@ def fill_all_bones(biped: Dimensions, pose: Pose, bones: Bones) -> None:
 
 
 @jit
-def lay_bones(bones: Bones, parent: np.ndarray, offset: np.ndarray, tip: np.ndarray, bone: np.ndarray, out: tuple) -> None:
-    """Fills out, a motion.pose.bones.Placed, with where the bones of a skeleton are: see there."""
+def lay_bones(bones: Bones, parent: np.ndarray, offset: np.ndarray, tip: np.ndarray, out: tuple) -> None:
+    """Fills out, a motion.pose.bones.Placed, with where the bones of a skeleton, and no others, are: see there."""
     head, end, world = out
     for c in range(len(bones.root)):
         for b in range(len(parent)):
-            local, above = bones.rotation_wxyz[c, bone[b]], parent[b]
+            local, above = bones.rotation_wxyz[c, b], parent[b]
             q = (local[0], local[1], local[2], local[3])
             if above < 0:
                 place = (bones.root[c, 0], bones.root[c, 1], bones.root[c, 2])
             else:
                 over = (world[c, above, 0], world[c, above, 1], world[c, above, 2], world[c, above, 3])
-                q, s = rotations.product(over, q), bones.stretch[c, bone[above]]
+                q, s = rotations.product(over, q), bones.stretch[c, above]
                 way = _carried(over, (s * offset[b, 0], s * offset[b, 1], s * offset[b, 2]))
                 place = (head[c, above, 0] + way[0], head[c, above, 1] + way[1], head[c, above, 2] + way[2])
-            s = bones.stretch[c, bone[b]]
+            s = bones.stretch[c, b]
             way = _carried(q, (s * tip[b, 0], s * tip[b, 1], s * tip[b, 2]))
             for k in range(3):
                 head[c, b, k], end[c, b, k] = place[k], place[k] + way[k]

@@ -7,7 +7,7 @@ import numpy as np
 
 from motion.characters.character import Character
 from planner.modes.wander import Wander
-from planner.planner import Situation
+from planner.planner import Situation, as_numbers
 from planner.round.kernel import Compiled, Interpreted, Planning
 from planner.round.round import Me, Round, Wish
 from worlds.world import World
@@ -16,15 +16,16 @@ from worlds.world import World
 class Custom:
     """Everyone steps as a function says: in plain Python, or with `compiled` as a kernel, which takes a microsecond.
 
-    The function must not depend on anything but its arguments and constants. starts (C, 3): x, y, heading [m, rad]; without
-    them everyone starts as wanderers do. Saved states know no function: restore one with this planner at hand.
+    The function must not depend on anything but its arguments and constants: it remembers nothing (a planner with a memory is
+    a class, whose `prepare` returns it). A compiled one calls nothing but kernels and mathematics. starts (C, 3): x, y, heading
+    [m, rad]; without them everyone starts as wanderers do. Saved states know no function: `restore(path, planner)`.
     """
 
     name = "Custom"
 
     def __init__(self, next_step: Callable[[Round, Me], Wish], starts: object = None, compiled: bool = False) -> None:
         self.planning: Planning = Compiled(next_step) if compiled else Interpreted(next_step)
-        self.places = None if starts is None else np.array(starts, np.float64)
+        self.places = None if starts is None else as_numbers(starts, "starts")
 
     def starts(self, world: World, characters: list[Character], seed: int) -> np.ndarray:
         """(C, 3) x, y, heading."""

@@ -12,7 +12,7 @@ import numpy as np
 
 from motion.characters.character import Character
 from motion.track.footprints import SIDES, STEP, Step, step_in, step_onto
-from planner.planner import Situation
+from planner.planner import Situation, as_numbers
 from planner.round.kernel import Compiled
 from planner.round.round import UNHURRIED, Me, Round, Wish, biped_of, standing
 from planner.stepping.beside import beside, middle_beside
@@ -75,14 +75,12 @@ class External:
     planning = _PLANNING
 
     def __init__(self, starts: object) -> None:
-        self.places = np.array(starts, np.float64)
+        self.places = as_numbers(starts, "starts")
         if self.places.ndim != 2 or self.places.shape[1] != 3 or not np.isfinite(self.places).all():
-            raise ValueError(f"starts of shape {self.places.shape}: (C, 3), finite numbers x, y, heading, are needed")
+            raise InputError(f"starts of shape {self.places.shape}: (C, 3), finite numbers x, y, heading, are needed")
 
     def starts(self, world: World, characters: list[Character], seed: int) -> np.ndarray:
         """(C, 3) x, y, heading."""
-        if len(characters) != len(self.places):
-            raise ValueError(f"{len(self.places)} starts for {len(characters)} characters: one for each is needed")
         return self.places
 
     def prepare(self, situation: Situation) -> Queues:

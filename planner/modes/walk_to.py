@@ -1,6 +1,6 @@
 """Walking to places: everyone goes to its own, one after the other, around whatever stands in the way."""
 
-from math import atan2, hypot
+from math import atan2, hypot, isfinite
 from typing import NamedTuple
 
 import numpy as np
@@ -8,7 +8,7 @@ import numpy as np
 from motion.arithmetic.angles import unwrapped
 from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
-from planner.planner import STAND_TIME, Situation
+from planner.planner import STAND_TIME, Situation, as_numbers
 from planner.round.kernel import Compiled
 from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing, stepping
 from planner.stepping import random
@@ -17,6 +17,7 @@ from planner.stepping.steering import LOOK_STEPS, Onward, free_way, step_toward
 from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
+from worlds.errors import InputError
 from worlds.world import World
 
 THERE, CONTENT = 0.5, 0.25
@@ -123,7 +124,7 @@ _PLANNING = Compiled(_next_step, _empty_stops(1, 1))
 class WalkTo:
     """Characters that walk to places, and stay at the last or begin `again`.
 
-    starts (C, 3): x, y, heading [m, rad]. stops (C, P, 2): the places in turn [m]. near [m]: how close is close enough on the
+    starts (C, 3): x, y, heading [m, rad]. stops (C, P, 2): P places of each [m]. near [m]: how close is close enough on the
     way; whoever was pushed past a place, with a free way to the next one, has reached it too. The last place is reached more
     closely, unless others stand on it. Ways are straight but for what lies near: a maze needs stops along its way.
     """
@@ -132,16 +133,16 @@ class WalkTo:
     planning = _PLANNING
 
     def __init__(self, starts: object, stops: object, again: bool = False, near: float = 0.5) -> None:
-        self.places, self.stops = np.array(starts, np.float64), np.array(stops, np.float64)
+        self.places, self.stops = as_numbers(starts, "starts"), as_numbers(stops, "stops")
         self.again, self.near = again, near
         count, places = self.stops.shape[0], self.stops.shape[1] if self.stops.ndim == 3 else 0
         if not places or self.stops.shape[2] != 2 or self.places.shape != (count, 3):
-            raise ValueError(f"starts {self.places.shape}, stops {self.stops.shape}: (C, 3) and (C, P, 2), P > 0, are needed")
+            raise InputError(f"starts {self.places.shape}, stops {self.stops.shape}: (C, 3) and (C, P, 2), P > 0, are needed")
+        if not (np.isfinite(self.places).all() and np.isfinite(self.stops).all() and isfinite(near) and near >= 0):
+            raise InputError(f"starts, stops and near = {near!r}: finite numbers are needed, near of 0 or more")
 
     def starts(self, world: World, characters: list[Character], seed: int) -> np.ndarray:
         """(C, 3) x, y, heading."""
-        if len(characters) != len(self.places):
-            raise ValueError(f"{len(self.places)} starts for {len(characters)} characters: one for each is needed")
         return self.places
 
     def prepare(self, situation: Situation) -> Stops:

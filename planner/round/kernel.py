@@ -10,13 +10,14 @@ from types import FunctionType
 from typing import Any
 
 import numpy as np
+from numba.core.errors import NumbaError
 
 from motion.characters.dimensions import empty_bipeds
 from motion.track.footprints import Feet, Foot, Step
 from planner.round.reservations import Intents, empty_reservations
 from planner.round.round import Me, Round, Wish
 from worlds.arrays import no_world
-from worlds.compiled.jit import kernel_of
+from worlds.compiled.jit import jit_borrowing, kernel_of
 from worlds.compiled.memory import Held, read, write
 from worlds.compiled.parts import Handle, Part, handle
 from worlds.compiled.tables import empty
@@ -57,7 +58,8 @@ class Compiled(Planning):
         """Of what its planner prepares, for its types."""
         self.plans: Handle | None = None if plans is None else handle(plans)
         template = _ask if plans is None else _ask_with_plans
-        names = globals() | {"next_step": self.kernel, "open_plans": self.plans.opened if self.plans else None}
+        opened = self.plans.opened if self.plans else None
+        names = globals() | {"next_step": self.kernel, "open_plans": opened, "in_numbers": _in_numbers}
         # The compiler keeps what it makes under the file and name of the function: those of the planner's own kernel.
         code = template.__code__.replace(
             co_filename=next_step.__code__.co_filename, co_firstlineno=next_step.__code__.co_firstlineno
@@ -75,12 +77,30 @@ class Compiled(Planning):
         return None if self.plans is None else Held(plans, self.plans.kind)
 
     def address(self, round: Round) -> int:
-        """Where the part lies."""
-        return self.part.address
+        """Where the part lies. Raises TypeError where next_step cannot be compiled."""
+        try:
+            return self.part.address
+        except (NumbaError, TypeError) as error:
+            raise TypeError(
+                f"{self.kernel.__module__}.{self.kernel.__qualname__} cannot be compiled. It must return a "
+                "planner.round.round.Wish (standing and stepping make one; Wish and Step need all their fields here), and call "
+                "nothing but kernels and mathematics. Without `compiled` it may do anything. The compiler's reason lies above"
+            ) from error
+
+
+@jit_borrowing
+def _in_numbers(wish: Any) -> Wish:
+    """A wish whose numbers may be whole ones, in the numbers that a Wish has."""
+    step = wish.step
+    in_numbers = Step(
+        int(step.side), float(step.x), float(step.y), float(step.heading), float(step.time), float(step.stance_time),
+        float(step.stands), float(step.crouch), float(step.facing),
+    )  # fmt: skip
+    return Wish(in_numbers, float(wish.course), float(wish.longest), bool(wish.avoids), bool(wish.goes))
 
 
 def _ask(round_at: int, me_at: int, wish_at: int) -> None:
-    put_wish(wish_at, next_step(open_round(round_at), open_me(me_at)))  # type: ignore[name-defined]  # noqa: F821
+    put_wish(wish_at, in_numbers(next_step(open_round(round_at), open_me(me_at))))  # type: ignore[name-defined]  # noqa: F821
 
 
 def _ask_with_plans(round_at: int, me_at: int, wish_at: int) -> None:
@@ -88,7 +108,7 @@ def _ask_with_plans(round_at: int, me_at: int, wish_at: int) -> None:
     round = Round(
         bare.kind, bare.bipeds, bare.world, open_plans(bare.plans), bare.reservations, bare.intents, bare.seed  # type: ignore[name-defined]  # noqa: F821
     )  # fmt: skip
-    put_wish(wish_at, next_step(round, open_me(me_at)))  # type: ignore[name-defined]  # noqa: F821
+    put_wish(wish_at, in_numbers(next_step(round, open_me(me_at))))  # type: ignore[name-defined]  # noqa: F821
 
 
 class Interpreted(Planning):

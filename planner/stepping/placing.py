@@ -9,7 +9,7 @@ from motion.pose import swing
 from motion.track.footprints import Footprints
 from planner.stepping import timing
 from worlds import queries
-from worlds.arrays import FLAT, HEIGHTMAP, HILLS, WorldArrays
+from worlds.arrays import FLAT, SPIRAL_STAIRS, STAIRS, WorldArrays
 from worlds.compiled.jit import jit_borrowing
 
 SAMPLES = 41
@@ -43,7 +43,7 @@ def lay_sole(biped: Dimensions, world: WorldArrays, x: float, y: float, heading:
     left = queries.terrain_height(world, x - wide * s, y + wide * c)
     right = queries.terrain_height(world, x + wide * s, y - wide * c)
     middle = queries.terrain_height(world, x, y)
-    if world.terrain_kind != HILLS and world.terrain_kind != HEIGHTMAP:
+    if world.terrain_kind == STAIRS or world.terrain_kind == SPIRAL_STAIRS:  # treads
         return max(max(toe, heel), middle), 0.0, 0.0, 1.0
     along, across = (toe - heel) / (2 * half), (left - right) / (2 * wide)
     dx, dy = along * c - across * s, along * s + across * c

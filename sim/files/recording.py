@@ -11,7 +11,8 @@ import numpy as np
 from motion.pose.pose import Pose
 from sim.files import archive
 from sim.stage.cast import Cast, Change
-from sim.stage.commands import Edit, Recast, from_plain
+from sim.stage.commands import Recast, from_plain
+from sim.stage.edits import Edit
 from worlds.world import World
 
 FORMAT = 1

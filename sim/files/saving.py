@@ -71,16 +71,13 @@ def restore(path: str | Path, planner: Planner | None = None) -> Simulation:
         raise InputError(f"{path}: was saved by version {meta.get('version')!r} of Footfall; only that one can go on from it")
     if meta.get("digest") != _digest(arrays, meta):
         raise InputError(f"{path}: is damaged: its contents are not what was saved")
+    if planner is None and meta["planner"]["name"] not in PLANNERS:
+        known, name = ", ".join(PLANNERS), meta["planner"]["name"]
+        raise InputError(f"{path}: its planner {name!r} is none of {known}: restore(path, planner) takes it at hand")
     try:
-        return _simulation(arrays, meta, planner or _planner(meta["planner"]))
+        return _simulation(arrays, meta, planner or PLANNERS[meta["planner"]["name"]](**meta["planner"]["values"]))
     except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
         raise InputError(f"{path}: is damaged: {error!r}") from None
-
-
-def _planner(plain: dict) -> Planner:
-    if plain["name"] not in PLANNERS:
-        raise ValueError(f"planner {plain['name']!r} is none of {', '.join(PLANNERS)}; give it to restore")
-    return PLANNERS[plain["name"]](**plain["values"])
 
 
 def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulation:

@@ -2,7 +2,7 @@
 optimised in its window and committed. All who are due in a tick decide, then all show what they have decided.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import prange
@@ -15,6 +15,7 @@ from motion.track.footprints import feet_before
 from planner.crowd.avoiding import YIELD_TIME, give_way
 from planner.round import reservations
 from planner.round.kernel import A_ROUND, lend_me, lend_wish, open_wish
+from planner.round.refusals import NO_ANSWER, can_be, nothing_refused, refuse
 from planner.round.reservations import Reservations
 from planner.round.round import Me, Round, Wish, standing
 from planner.stepping import random
@@ -37,6 +38,7 @@ class Work(NamedTuple):
     round: Round  # its plans an address, which the planner alone opens
     round_at: int  # where it lies
     planner: int  # where its next_step lies
+    refused: Any  # (C,) records of STEP: what it wished that no body can do (planner.round.refusals)
     effort: Effort = newton.LIVE
 
 
@@ -47,7 +49,7 @@ class Parts(NamedTuple):
     optimise: int
 
 
-_, open_work, _, WORK = handle(Work(empty_crowd(np.zeros(1)), A_ROUND, 0, 0))
+_, open_work, _, WORK = handle(Work(empty_crowd(np.zeros(1)), A_ROUND, 0, 0, nothing_refused(1)))
 
 
 @jit_borrowing
@@ -55,9 +57,13 @@ def _wish(work: Work, me: Me) -> Wish:
     """What the planner wants, asked where it lies; at the very beginning everyone stands."""
     if me.number <= 2:
         return standing(me, AT_FIRST + LONGER * random.uniform(work.round.seed, me.c, me.number, random.WAIT))
-    answer = lend_wish(standing(me, YIELD_TIME))
+    answer = lend_wish(NO_ANSWER)
     call_three(work.planner, work.round_at, lend_me(me), answer)
-    return open_wish(answer)
+    wish = open_wish(answer)
+    if can_be(wish, work.round.world.bounds):
+        return wish
+    refuse(work.refused[me.c], wish.step)
+    return standing(me, YIELD_TIME)
 
 
 @jit_borrowing

@@ -7,8 +7,11 @@ import numpy as np
 
 from motion.characters.character import Character
 from motion.characters.dimensions import empty_bipeds
+from motion.motion import bones_of
+from motion.pose.bones import Bones
 from motion.pose.pose import Pose, empty_pose
 from motion.pose.posing import pose_one
+from motion.pose.skeleton import Skeleton, skeleton_of
 from motion.track.curve import Curve
 from motion.track.footprints import Footprints
 from sim.rows import crowd as crowds
@@ -81,6 +84,14 @@ class Cast:
         com = np.empty((len(self.characters), 3))
         posing.com_all(self._shown_at(), self.moment(time), com)
         return com
+
+    def skeleton(self, character: int) -> Skeleton:
+        """The bones of a character at rest."""
+        return skeleton_of(self.characters[character])
+
+    def bones(self, character: int, time: float | None = None) -> Bones:
+        """The bones of a character at `time` [s], by default now: one row, in the order of its skeleton."""
+        return bones_of(self.characters[character], self.snapshot(time, np.array([character])), self.skeleton(character))
 
     def _shown_at(self) -> int:
         """Where kernels find what is seen."""

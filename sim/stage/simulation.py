@@ -11,8 +11,9 @@ import numpy as np
 
 from motion.characters.character import Character
 from motion.track.footprints import LEFT, RIGHT
-from planner.planner import Planner, Situation
+from planner.planner import Planner, Situation, checked_starts
 from planner.round.kernel import ROUND
+from planner.round.refusals import nothing_refused, raise_refused
 from planner.round.reservations import empty_reservations
 from planner.round.round import Round
 from planner.stepping.beside import beside
@@ -44,7 +45,7 @@ class Simulation(Cast):
     ) -> None:  # fmt: skip
         super().__init__(world, characters, seed, tick_rate)
         self.planner = planner
-        self._placed = np.zeros(len(self.characters), np.int64)
+        self._placed, self._refused = np.zeros(len(self.characters), np.int64), nothing_refused(len(self.characters))
         if state is None:
             self._begin()
         else:
@@ -55,8 +56,9 @@ class Simulation(Cast):
             self._plan()
 
     def _begin(self) -> None:
-        for c, (x, y, heading) in enumerate(self.planner.starts(self.world, self.characters, self.seed)):
-            self.stand_beside(c, (float(x), float(y)), float(heading))
+        starts = checked_starts(self.planner.starts(self.world, self.characters, self.seed), self.world, len(self.characters))
+        for c, (x, y, heading) in enumerate(starts.tolist()):
+            self.stand_beside(c, (x, y), heading)
         # Footprint 2 is the right foot standing on: plans begin at footprint 3, when the left one is the older.
         feet = self.feet()
         swapped = type(feet)(*(column[:, ::-1] for column in feet))
@@ -74,11 +76,12 @@ class Simulation(Cast):
         self._plan()
 
     def _plan(self) -> None:
-        """Rounds until nobody runs out of motion. Raises what a planner in plain Python has raised."""
+        """Rounds until nobody runs out of motion. Raises what a planner in Python raised, ValueError for bad wishes."""
         rounds.advance_all(rounds.compiled_parts(), self.work.address, self.time + 1e-9, self._placed)
         if self._placed.any():
             self.footprints.add(self.crowd, self._placed)
         self.planner.planning.check()
+        raise_refused(self._refused, self.planner.name, self.world.arrays.bounds)
 
     def situation(self, world: World) -> Situation:
         """What the planner prepares from, in a world."""
@@ -116,7 +119,8 @@ class Simulation(Cast):
         """From now on, rounds are like this one, with the plans that are in use: `work` is what they work on."""
         planner = self.planner.planning.address(round._replace(plans=self.plans))
         self._round = Held(round._replace(plans=self._plans.address if self._plans else 0), ROUND)
-        self.work = Held(rounds.Work(self.crowd, self._round.value, self._round.address, planner), rounds.WORK)
+        work = rounds.Work(self.crowd, self._round.value, self._round.address, planner, self._refused)
+        self.work = Held(work, rounds.WORK)
 
     def _publish_anew(self) -> None:
         """Everyone shows what it holds: reservations follow from the rows."""

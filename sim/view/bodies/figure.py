@@ -5,15 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from motion.characters.character import Character
-from motion.motion import placed
-from motion.pose.bones import Bones, Placed
+from motion.motion import bones_of, placed
+from motion.pose.bones import Placed
 from motion.pose.limbs import TAIL
 from motion.pose.pose import Pose
 from motion.pose.skeleton import Skeleton, skeleton_of
-from motion.pose.turning import fill_all_bones
 from motion.track.footprints import SIDES
 from sim.view.bodies.clay import Frame
-from worlds.compiled.tables import empty
 
 
 @dataclass(frozen=True)
@@ -43,9 +41,7 @@ class Figure:
 def figure_of(character: Character, pose: Pose, skeleton: Skeleton | None = None) -> Figure:
     """The figure of a pose whose rows are all of one character's kind."""
     skeleton = skeleton_of(character) if skeleton is None else skeleton
-    bones = empty(Bones, len(pose.phase))
-    fill_all_bones(character.biped, pose, bones)
-    return _figure(placed(bones, skeleton), skeleton, float(character.biped.leg.nominal_length))
+    return _figure(placed(bones_of(character, pose, skeleton), skeleton), skeleton, float(character.biped.leg.nominal_length))
 
 
 def _figure(at: Placed, skeleton: Skeleton, unit: float) -> Figure:

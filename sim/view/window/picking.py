@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from sim.stage.commands import Command, PlantTree, PutRock, Remove, SetGoal
+from sim.stage.command import Command
+from sim.stage.commands import PlantTree, PutRock, Remove, SetGoal
 from worlds.queries import border_clearance, terrain_height
 from worlds.world import World
 

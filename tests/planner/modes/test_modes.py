@@ -16,10 +16,12 @@ from planner.round.round import Wish, standing
 from sim.stage.commands import Give, apply
 from sim.stage.simulation import Simulation
 from tests.examples.planner_in_python import in_a_circle
+from worlds.errors import InputError
 from worlds.level import load_level
 from worlds.world import World
 
 YARD = World("yard", (20.0, 20.0), start=(10.0, 10.0))
+NAN = float("nan")
 HUMAN, BIRD = load_character("human"), load_character("bird")
 
 
@@ -50,6 +52,51 @@ def test_what_a_planner_in_python_raises_is_raised_by_the_tick():
 def test_an_answer_that_is_no_wish_is_told():
     with pytest.raises(TypeError, match="Wish is needed"):
         run(Custom(lambda round, me: 3), [BIRD])
+
+
+BAD = {
+    "no place": Step(0, NAN, 1.0, 0.0),
+    "endless": Step(0, 5.0, float("inf"), 0.0),
+    "far out": Step(0, 1e155, 5.0, 0.0),
+    "no heading": Step(1, 5.0, 5.0, NAN),
+    "no foot": Step(2, 5.0, 5.0, 0.0),
+    "back in time": Step(0, 5.0, 5.0, 0.0, time=-1.0),
+    "no leg": Step(0, 5.0, 5.0, 0.0, crouch=7.0),
+    "stands for ever": Step(0, 5.0, 5.0, 0.0, stands=float("inf")),
+}
+
+
+@pytest.mark.parametrize("case", BAD)
+def test_a_wish_that_no_body_can_do_is_refused(case):
+    """Kernels index memory by it; the character stands, and the tick names planner, character and values."""
+    made = Custom(lambda round, me: Wish(BAD[case], 0.0) if me.c == 1 else standing(me, 0.5), [(5, 5, 0), (9, 9, 0)])
+    with pytest.raises(ValueError, match=r"planner Custom: character 1 cannot do Step\("):
+        run(made, [BIRD, BIRD])
+
+
+def whole_numbers(round, me):
+    return Wish(Step(me.feet.older.side, 5, 5, 0, 1, 1, 0, 1, 0), 0, 2, False, False)
+
+
+def raising(round, me):
+    if me.number > 3:
+        raise ValueError("of all things")
+    return standing(me, 0.3)
+
+
+def no_wish(round, me):
+    return 3
+
+
+def test_whole_numbers_are_numbers():
+    assert run(Custom(whole_numbers, [(5, 5, 0)], compiled=True), [BIRD], 60).feet().position[0, 1, 0] == 5
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("next_step, error, said", [(raising, ValueError, "no answer"), (no_wish, TypeError, "must return")])
+def test_a_compiled_planner_that_fails_is_told(next_step, error, said):
+    with pytest.raises(error, match=said):
+        run(Custom(next_step, [(5, 5, 0)], compiled=True), [BIRD], 120)
 
 
 def test_a_planner_in_python_sees_the_round_and_itself():
@@ -141,9 +188,16 @@ def test_starts_must_be_as_many_as_characters(planner):
 
 
 def test_bad_starts_are_refused():
-    for starts in ([(1.0, 2.0)], [(1.0, 2.0, np.nan)]):
-        with pytest.raises(ValueError, match="finite numbers"):
+    for starts in ([(1.0, 2.0)], [(1.0, 2.0, NAN)]):
+        with pytest.raises(InputError, match="finite numbers"):
             External(starts)
+        with pytest.raises(InputError, match="needed"):
+            WalkTo(starts, [[(5.0, 5.0)]])
+    for starts, said in (([(30.0, 1.0, 0.0)], "outside"), ([(1.0, NAN, 0.0)], "finite"), ("x", "array"), ([(1, 1)], "C, 3")):
+        with pytest.raises(InputError, match=said):
+            Simulation(YARD, [BIRD], Custom(in_a_circle, starts))
+    with pytest.raises(InputError, match="finite"):
+        WalkTo([(5, 5, 0.0)], [[(NAN, 5.0)]])
 
 
 def test_an_impossible_task_says_so_before_anything_begins():

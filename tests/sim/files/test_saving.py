@@ -10,12 +10,14 @@ import pytest
 
 import main
 from motion.characters.character import load_character
+from planner.modes.custom import Custom
 from planner.modes.walk_to import WalkTo
 from sim.files.archive import flat
 from sim.files.saving import restore, save
 from sim.stage.commands import SetGoal, apply
 from sim.stage.making import make_simulation
 from sim.stage.simulation import Simulation
+from tests.examples.planner_in_python import in_a_circle
 from worlds.errors import InputError
 from worlds.world import World
 
@@ -127,6 +129,17 @@ def test_bad_states_are_refused(tmp_path, capsys):
         assert "Traceback" not in capsys.readouterr().err
     assert main.main(["--headless", "--seconds", "0.01", "--restore", str(state), "--json"]) in (0, 2)
     assert main.main(["--headless", "--seconds", "1", "--save", str(tmp_path / "no" / "s.npz")]) == 2
+
+
+def test_a_planner_of_ones_own_is_given_to_restore(tmp_path):
+    world, bird, mine = World("yard", (20.0, 20.0)), load_character("bird"), Custom(in_a_circle, [(10.0, 6.0, 0.0)])
+    sim = Simulation(world, [bird], mine, 0)
+    for _ in range(200):
+        sim.tick()
+    save(sim, tmp_path / "s.npz")
+    with pytest.raises(InputError, match=r"'Custom' is none of .*restore\(path, planner\)"):
+        restore(tmp_path / "s.npz")
+    same(restore(tmp_path / "s.npz", mine), sim)
 
 
 def test_versions_agree():

@@ -67,6 +67,53 @@ REFUSED = {
 }
 
 
+MISTYPED = {
+    "text for a number": (lambda: PlantTree("3", 3.0), "plant tree: x"),
+    "truth for a number": (lambda: PutRock(True, 3.0), "put rock: x"),
+    "half a character": (lambda: Pause(0.5), "whole number"),
+    "half a tree": (lambda: Remove("tree", 1.0), "whole number"),
+    "a goal of text": (lambda: SetGoal(1.0, "b"), "set goal: y"),
+    "steps that are none": (lambda: Give(0, (1,)), "steps.0"),
+    "a body of nothing": (lambda: Recast(0, [], {}), "dimensions"),
+}
+BODIES = {
+    "no number": ({"thigh": "long"}, "thigh"),
+    "no leg": ({"thigh": 1e9}, "thigh"),
+    "nothing of a body": ({"wheels": 4.0}, "wheels"),
+    "links that do not fit": ({"thigh": 0.1, "shank": 0.1}, "must not be more"),
+}
+
+
+@pytest.mark.parametrize("case", MISTYPED)
+def test_values_of_another_type_are_refused_when_a_command_is_made(case):
+    with pytest.raises(InputError, match=MISTYPED[case][1]):
+        MISTYPED[case][0]()
+
+
+@pytest.mark.parametrize("case", BODIES)
+def test_a_body_that_cannot_be_is_no_recast(case):
+    changed, said = BODIES[case]
+    sim, human = wandering(), load_character("human")
+    with pytest.raises(InputError, match=said):
+        apply(sim, Recast(0, human.to_dict() | changed, human.look.model_dump(mode="json")))
+
+
+def test_every_command_is_tried():
+    """Each one is refused somewhere, mistyped somewhere and replayed somewhere in this file."""
+    refused = {command(make()).name for make, command, _ in REFUSED.values()}
+    assert refused == set(COMMANDS)
+    assert {change.command["command"] for _, run in RUNS.values() for change in run().changes} == set(COMMANDS)
+
+
+def test_numbers_of_any_kind_are_plain_once_logged(tmp_path):
+    sim = wandering()
+    apply(sim, PlantTree(np.float32(2.0), 3, np.float64(0.25)))
+    apply(sim, Pause(np.int64(0), np.bool_(True)))
+    assert [type(value) for value in sim.changes[0].command.values()] == [str, float, float, float]
+    save(sim, tmp_path / "s.npz")
+    assert restore(tmp_path / "s.npz").changes == sim.changes
+
+
 def sized(name, scale):
     character = load_character(name)
     plain = character.to_dict()

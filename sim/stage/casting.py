@@ -1,0 +1,74 @@
+"""Commands that change one character: it stands, becomes another one, or takes the steps that it is given."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from motion.characters.character import Character
+from motion.track.footprints import Step
+from sim.stage.command import Command, check_character
+from sim.stage.simulation import Simulation
+from worlds.errors import InputError
+from worlds.queries import clearance
+
+
+@dataclass(frozen=True)
+class Pause(Command):
+    """One character takes no further step, or goes on."""
+
+    character: int
+    paused: bool = True
+    name: ClassVar[str] = "pause"
+
+    def apply(self, sim: Simulation) -> None:
+        """Pauses it, or lets it go on."""
+        check_character(sim, self.character)
+        sim.crowd.paused[self.character] = self.paused
+
+
+@dataclass(frozen=True)
+class Recast(Command):
+    """One character becomes another one, standing where its feet are."""
+
+    character: int
+    dimensions: dict  # of the new one: Character.to_dict
+    look: dict
+    name: ClassVar[str] = "recast"
+
+    @classmethod
+    def to(cls, character: int, new: Character) -> "Recast":
+        """The command for a character at hand."""
+        return cls(character, new.to_dict(), new.look.model_dump(mode="json"))
+
+    def apply(self, sim: Simulation) -> None:
+        """Changes it where there is room for the new body."""
+        check_character(sim, self.character)
+        new = Character.from_dict(self.dimensions, self.look)
+        x, y = sim.feet().position[self.character, :, :2].mean(axis=0)
+        if clearance(sim.world.arrays, x, y) < new.biped.body.radius:
+            raise InputError(f"{new.name}: no room for its body at ({x:.2f}, {y:.2f}), where character {self.character} stands")
+        characters = [new if c == self.character else one for c, one in enumerate(sim.characters)]
+        plans = sim.planner.prepare(sim.situation(sim.world)._replace(characters=characters))
+        sim.recast(self.character, new, plans)
+
+
+@dataclass(frozen=True)
+class Give(Command):
+    """Steps for one character of a planner that is fed (planner.modes.external)."""
+
+    character: int
+    steps: tuple[Step, ...]
+    name: ClassVar[str] = "give"
+
+    def apply(self, sim: Simulation) -> None:
+        """Adds them behind those that it has."""
+        check_character(sim, self.character)
+        give = getattr(sim.planner, "give", None)
+        if give is None:
+            raise InputError(f"give: the planner {sim.planner.name} takes no footprints; planner.modes.external.External does")
+        number = int(sim.crowd.number[self.character]) + 1
+        give(sim.plans, self.character, list(self.steps), number, sim.world)
+
+    def as_plain(self) -> dict:
+        """The command as plain JSON values: what is automatic is left out."""
+        steps = [{k: v for k, v in step._asdict().items() if v == v} for step in self.steps]
+        return {"command": self.name, "character": self.character, "steps": steps}
