@@ -1,6 +1,7 @@
 """Slow twins of the kernels, written straight from the paper: plain numpy and scipy, no numba."""
 
 import numpy as np
+from scipy.interpolate import BSpline
 from scipy.optimize import nnls
 
 from motion.com import cost
@@ -40,6 +41,12 @@ def reach_cost(com, origins, max_length, weight):
     return 20 * weight * sum(max(np.linalg.norm(com - q) - max_length, 0.0) ** 2 for q in origins)
 
 
+def jerk(time, control, i):
+    """Third derivative of segment i of the spline. control (m + 1, 6)."""
+    inside = time[i] + (time[i + 1] - time[i]) * np.array([0.25, 0.75])
+    return np.diff([hermite(time, control, t)[2] for t in inside], axis=0)[0] / np.diff(inside)
+
+
 def total_cost(problem, control):
     """E of a motion.com.problem.Problem, sample by sample."""
     segments, samples = len(problem.time) - 1, len(problem.standing)
@@ -52,43 +59,57 @@ def total_cost(problem, control):
             on = problem.standing[j, :, i]
             part = physics_cost(com, acceleration, list(problem.support_point[j, :, :, i][on]))
             legs = problem.leg_origin[j, :, :, i][on], problem.nominal_length[j, :, i][on]
-            part += comfort_cost(com, *legs, problem.max_length[0], problem.comfort_weight)
-            e += part * duration / samples
+            part += comfort_cost(com, *legs, problem.max_length[0], problem.comfort_weight * problem.comfort_share[i])
+            over = max(np.linalg.norm(acceleration - GRAVITY) - problem.strength, 0.0)
+            e += (part + problem.strength_weight * over**2) * duration / samples
+        e += problem.jerk_weight * duration * float(np.sum(jerk(problem.time, control, i) ** 2))
         for end in (0, 1):
             if problem.fixed[i + end]:
                 continue
             legs = problem.end_origin[end, :, :, i][problem.end_standing[end, :, i]]
-            e += reach_cost(control[i + end, :3], legs, problem.max_length[0], problem.comfort_weight)
+            limit = problem.end_reach[end, i] * problem.max_length[0]
+            e += reach_cost(control[i + end, :3], legs, limit, problem.comfort_weight)
     return e
 
 
-def normal_equations(problem, control, eps):
-    """Gauss-Newton (h (m + 1, 6, m + 1, 6), g (m + 1, 6)) of E: J^T M J + C, sample by sample with dense Jacobians."""
-    segments, samples = len(problem.time) - 1, len(problem.standing)
-    h, g = np.zeros((segments + 1, 6, segments + 1, 6)), np.zeros((segments + 1, 6))
+def spline(problem, basis, coefficients):
+    """The curve of these coefficients, by scipy."""
+    return BSpline(problem.time[basis.knot], coefficients, 3)
+
+
+def normal_equations(problem, basis, coefficients, eps):
+    """Gauss-Newton (h (n, 3, n, 3), g (n, 3)) of E: J^T M J + C, sample by sample with dense Jacobians, by scipy's splines."""
+    n, segments, samples = len(coefficients), len(problem.time) - 1, len(problem.standing)
+    h, g, units = np.zeros((n, 3, n, 3)), np.zeros((n, 3)), np.eye(n)
+    curve, each = spline(problem, basis, coefficients), spline(problem, basis, units)
     for i in range(segments):
         duration = problem.time[i + 1] - problem.time[i]
         for j in range(samples):
             t = problem.time[i] + (j + 0.5) / samples * duration
-            com, _, acceleration = hermite(problem.time, control, t)
-            unit = np.eye(12).reshape(12, 2, 6)
-            basis = [hermite(problem.time[i : i + 2], u, t) for u in unit]
-            dc, da = np.array([b[0] for b in basis]).T, np.array([b[2] for b in basis]).T
+            com, w, share = curve(t), curve(t, 2) - GRAVITY, duration / samples
             points = [tuple(p) for p in problem.support_point[j, :, :, i]]
             on = problem.standing[j, :, i]
-            _, phi, force, lower = cost.physics_model(tuple(com), tuple(acceleration - GRAVITY), *points, *on, eps)
-            both = da - phi * dc
-            part = both.T @ whole(lower) @ both
-            slope = both.T @ np.array(force)
+            _, phi, force, lower = cost.physics_model(tuple(com), tuple(w), *points, *on, eps)
+            _spread(h, g, each(t, 2) - phi * each(t), share * whole(lower), share * np.array(force))
             for leg in range(2):
                 origin = tuple(problem.leg_origin[j, leg, :, i])
                 lengths = problem.nominal_length[j, leg, i], problem.max_length[leg]
-                _, force, lower = cost.comfort_model(tuple(com), origin, on[leg], *lengths, problem.comfort_weight)
-                part += dc.T @ whole(lower) @ dc
-                slope += dc.T @ np.array(force)
-            h[i : i + 2, :, i : i + 2] += part.reshape(2, 6, 2, 6) * duration / samples
-            g[i : i + 2] += slope.reshape(2, 6) * duration / samples
+                _, force, lower = cost.comfort_model(
+                    tuple(com), origin, on[leg], *lengths, problem.comfort_weight * problem.comfort_share[i]
+                )
+                _spread(h, g, each(t), share * whole(lower), share * np.array(force))
+            if np.linalg.norm(w) > problem.strength:
+                _, _, force, lower = cost.strength_model(tuple(w), problem.strength, problem.strength_weight)
+                _spread(h, g, each(t, 2), share * whole(lower), share * np.array(force))
+        rate, weight = each(t, 3), 2 * problem.jerk_weight * duration
+        _spread(h, g, rate, weight * np.eye(3), weight * curve(t, 3))
     return h, g
+
+
+def _spread(h, g, weights, matrix, force):
+    """Adds a model of what the coefficients weigh (n,) into."""
+    h += np.einsum("i,ab,j->iajb", weights, matrix, weights)
+    g += np.outer(weights, force)
 
 
 def whole(lower):

@@ -61,6 +61,7 @@ class Character:
     def from_dict(cls, plain: dict, look: dict) -> "Character":
         """The character that `to_dict` described, with these looks. Raises InputError naming every fault."""
         known = {flat_name(table, field): q for table, kind in TABLES.items() for field, q in quantities_of(kind).items()}
+        plain = {name: q.from_file(q.default, 1.0) for name, q in known.items() if q.default is not None} | plain
         wrong = [
             f"{name} = {plain.get(name)!r}: {_allowed(quantity)}"
             for name, quantity in known.items()
@@ -91,7 +92,8 @@ def _limits(table: type) -> Any:
     """The checked data of a table."""
     fields = {}
     for name, quantity in quantities_of(table).items():
-        fields[name + quantity.key] = (float, Field(ge=quantity.low, le=quantity.high, allow_inf_nan=False))
+        needed = ... if quantity.default is None else quantity.default
+        fields[name + quantity.key] = (float, Field(needed, ge=quantity.low, le=quantity.high, allow_inf_nan=False))
     return create_model(table.__name__, __config__=ConfigDict(extra="forbid", strict=True), **fields)  # type: ignore[call-overload]
 
 

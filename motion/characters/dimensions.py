@@ -27,6 +27,8 @@ class Leg:
     metatarsus: float = metres("hock to ankle; 0 for a leg of two links", low=0.0)
     shank_radius: float = metres("of the leg below the knee: shanks keep apart by two of them")
     comfort_weight: float = weight("k of the comfort cost")
+    loading: float = share("share by which the leg gives when it takes the load", high=0.2, default=0.0)
+    push_off: float = share("share by which it is shorter when the foot leaves", high=0.3, default=0.0)
 
 
 class Foot:
@@ -83,7 +85,7 @@ class Gait:
     clearance: float = metres("foot above the ground at mid-swing")
     run_lift: float = metres("how much higher the foot is lifted at a run of Froude number 1 or more", low=0.0)
     run_crouch: float = share(
-        "share by which the nominal leg is shorter at a Froude number of 1 or more; in proportion below", high=0.5
+        "share by which the nominal leg is shorter at a Froude number of 1 or more; less below, none walking", high=0.5
     )
 
 
@@ -104,6 +106,11 @@ class Timing:
     hip_height: float = metres("height of the hips when standing: h of the timing law")
     walking_duty: float = share("share of the stride that a foot stands at the slowest walk; it falls with speed", 0.5, 0.95)
     gait_smoothness: float = share("0 changes abruptly from walk to run, 1 gradually")
+    run_speed: float = share(
+        "speed in sqrt(g h) of a run whose steps are as long as the hips are high; 0: by the law of the walk",
+        high=3,
+        default=0.0,
+    )
     takeoff_angle: float = degrees("of a leap, from the horizontal", low=5, high=80)
     turn_slowdown: float = share("share by which a turn of one radian lengthens the step time", high=10)
     rise_slowdown: float = share("share by which a rise of one hip height lengthens the step time", high=10)

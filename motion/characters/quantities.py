@@ -16,6 +16,7 @@ class Quantity(NamedTuple):
     low: float
     high: float
     meaning: str
+    default: float | None = None  # where a file does not say it
 
     @property
     def key(self) -> str:
@@ -51,14 +52,14 @@ def place(meaning: str) -> Any:
     return Quantity("m", -100.0, 100.0, meaning)
 
 
-def degrees(meaning: str, low: float = 0.0, high: float = 90.0) -> Any:
+def degrees(meaning: str, low: float = 0.0, high: float = 90.0, default: float | None = None) -> Any:
     """An angle: degrees in files, radians in kernels."""
-    return Quantity("rad", low, high, meaning)
+    return Quantity("rad", low, high, meaning, default)
 
 
-def share(meaning: str, low: float = 0.0, high: float = 1.0) -> Any:
+def share(meaning: str, low: float = 0.0, high: float = 1.0, default: float | None = None) -> Any:
     """A number without a unit."""
-    return Quantity("", low, high, meaning)
+    return Quantity("", low, high, meaning, default)
 
 
 def weight(meaning: str) -> Any:

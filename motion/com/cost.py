@@ -9,7 +9,9 @@ can push along K = unit(c - s), s its point of support, and never pull.
     comfort        e = k (l - l_nominal)^2 per standing leg, l = |c - q|, q = ankle minus the hip's offset from c
 
 Not in the paper: reach. Beyond l_max the comfort cost is STRETCH times as stiff, and k * 20 s * (l - l_max)^2 counts once at
-either end of a segment, where legs are longest: both lower the body before a leg would have to be longer than it is.
+either end of a segment, where legs are longest: both lower the body before a leg would have to be longer than it is. And
+strength: a force |w| beyond what the legs can give costs weight (|w| - strength)^2, or a short double stance would be a hammer:
+within the cone of its two legs any force is free.
 
 Derivatives: N, the projector on what the legs cannot give, is I, P, or n n^T. Moving c by dc turns leg j by P_j dc / d_j,
 d_j = |c - s_j|, and with it its push a_j K_j; as N P_j = N,
@@ -153,7 +155,7 @@ def physics_cost(com: np.ndarray, acceleration: np.ndarray, support: np.ndarray,
 
 
 @jit_inline
-def comfort_model(com: Three, q: Three, on: Some, nominal_length: Some, max_length: float, weight: float) -> ComfortModel:
+def comfort_model(com: Three, q: Three, on: Some, nominal_length: Some, max_length: float, weight: Some) -> ComfortModel:
     """weight * ((leg length - nominal)^2 + STRETCH * (what it is longer than max_length)^2) of one leg, by Gauss-Newton.
 
     0 unless `on`; of numbers or of lanes. q: where the leg begins, less the hip's offset from the com.
@@ -162,9 +164,9 @@ def comfort_model(com: Three, q: Three, on: Some, nominal_length: Some, max_leng
     length = root(x * x + y * y + z * z) + 1e-300
     inverse = 1 / length
     x, y, z = x * inverse, y * inverse, z * inverse
-    soft = choose(on, weight, 0.0)
+    soft = choose(on, weight, 0.0 * weight)
     over = larger(length - max_length, 0.0)
-    hard = choose(over > 0, STRETCH * soft, 0.0)
+    hard = choose(over > 0, STRETCH * soft, 0.0 * soft)
     stretch = length - nominal_length
     e = soft * stretch * stretch + hard * over * over
     g, h = 2 * (soft * stretch + hard * over), 2 * (soft + hard)
@@ -173,7 +175,7 @@ def comfort_model(com: Three, q: Three, on: Some, nominal_length: Some, max_leng
 
 
 @jit_borrowing
-def reach_cost(com: np.ndarray, q: np.ndarray, standing: np.ndarray, max_length: np.ndarray, weight: float) -> float:
+def reach_cost(com: np.ndarray, q: np.ndarray, standing: np.ndarray, max_length: Any, weight: float) -> float:
     """Penalty of legs longer than max_length (2,) at a com (3,); q (2, 3) as in comfort_model."""
     e = 0.0
     for leg in range(2):
@@ -185,21 +187,33 @@ def reach_cost(com: np.ndarray, q: np.ndarray, standing: np.ndarray, max_length:
 
 
 @jit_borrowing
-def add_reach(
-    com: np.ndarray, q: np.ndarray, standing: np.ndarray, max_length: np.ndarray, weight: float, h: np.ndarray, g: np.ndarray
-) -> float:
-    """Adds the Gauss-Newton block of the reach penalty in the com: h (6, 8) [column, row], lower triangle; g (6,)."""
-    e = 0.0
+def reach_model(com: Any, q: np.ndarray, standing: np.ndarray, max_length: Any, weight: float) -> tuple[float, Three, Lower]:
+    """reach_cost with its gradient and Gauss-Newton matrix in the com."""
+    e, stiffness = 0.0, 2 * REACH_TIME * weight
+    gx = gy = gz = h0 = h1 = h2 = h3 = h4 = h5 = 0.0
     for leg in range(2):
         if standing[leg]:
-            u = (com[0] - q[leg, 0], com[1] - q[leg, 1], com[2] - q[leg, 2])
-            length = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2])
+            x, y, z = com[0] - q[leg, 0], com[1] - q[leg, 1], com[2] - q[leg, 2]
+            length = sqrt(x * x + y * y + z * z)
             over = length - max_length[leg]
             if over > 0:
-                stiffness = 2 * REACH_TIME * weight
-                e += 0.5 * stiffness * over * over
-                for i in range(3):
-                    g[i] += stiffness * over * u[i] / length
-                    for j in range(i + 1):
-                        h[j, i] += stiffness * u[i] * u[j] / (length * length)
-    return e
+                x, y, z, force = x / length, y / length, z / length, stiffness * over
+                e += 0.5 * force * over
+                gx, gy, gz = gx + force * x, gy + force * y, gz + force * z
+                h0, h1, h2 = h0 + stiffness * x * x, h1 + stiffness * y * x, h2 + stiffness * y * y
+                h3, h4, h5 = h3 + stiffness * z * x, h4 + stiffness * z * y, h5 + stiffness * z * z
+    return e, (gx, gy, gz), (h0, h1, h2, h3, h4, h5)
+
+
+@jit_inline
+def strength_model(w: Three, strength: float, weight: float) -> PhysicsModel:
+    """weight * (|w| - strength)^2 where the needed force w is beyond the legs' strength [m/s^2], in dw (paper, section 3)."""
+    size = root(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) + 1e-300
+    over = larger(size - strength, 0.0)
+    x, y, z = w[0] / size, w[1] / size, w[2] / size
+    g, aside = 2 * weight * over, 2 * weight * over / size
+    along = choose(over > 0, 2 * weight, 0.0) - aside
+    matrix = (
+        aside + along * x * x, along * y * x, aside + along * y * y, along * z * x, along * z * y, aside + along * z * z,
+    )  # fmt: skip
+    return PhysicsModel(weight * over * over, 0.0 * size, (g * x, g * y, g * z), matrix)

@@ -1,46 +1,45 @@
-"""The normal equations of E: every sample's model spread over the control points around it.
+"""The normal equations of E: every sample's model spread over the coefficients of its piece (motion.track.basis).
 
-With h_k the cubic and bend_k the linear weights of the four knots (p0, T v0, p1, T v1) of a segment in com and acceleration,
-a sample's model (motion.com.cost) sees omega_k = bend_k / T^2 - phi h_k, so it adds omega_k omega_l M + h_k h_l C to the 3x3
-block of knots k and l, C the comfort's matrix: ten symmetric blocks, 120 multiply-adds per sample, LANES segments at once.
+With h_k the weights of the piece's four coefficients in the com and bend_k those in the acceleration, both polynomials in the
+share s of the piece, a sample's model (motion.com.cost) sees omega_k = bend_k / T^2 - phi h_k, so it adds omega_k omega_l M +
+h_k h_l C to the 3x3 block of coefficients k and l, C the comfort's matrix: ten symmetric blocks, 120 multiply-adds per sample,
+LANES pieces at once. A coefficient couples with the next three, so H is a band of twelve.
 """
 
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from motion.arithmetic.gravity import GRAVITY
 from motion.com import cost
 from motion.com import problem as problems
-from motion.com.cost import ComfortModel, PhysicsModel, Some
-from motion.com.problem import Problem, Segments
-from motion.track.curve import Weights, acceleration_weights, position_weights
+from motion.com.cost import ComfortModel, Lower, PhysicsModel, Some, Three
+from motion.com.pieces import Pieces, mix_all, pieces_from, weights_at
+from motion.com.problem import Problem
+from motion.track.basis import ORDER, Basis
+from motion.track.curve import Weights
 from motion.track.footprints import LEFT, RIGHT
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, load, store, total
+from worlds.compiled.lanes import LANES, anywhere, load, root, store, total
 
-ROWS = 8
-"""Of a column of six, so that it is two Lanes."""
+BAND, WIDTH = 12, 16
+"""Entries of a column from the diagonal down; with room for Lanes that begin at any of them."""
 
 
 class Equations(NamedTuple):
-    """H step = -gradient of m segments: H = tridiagonal(lower, diagonal, lower^T) in 6x6 blocks, by columns."""
+    """H step = -gradient of n coefficients: 3 n unknowns."""
 
-    diagonal: np.ndarray  # (m + 1, 6, ROWS) [point, column, row], lower triangles
-    lower: np.ndarray  # (m, 6, ROWS): column of point i, row of point i + 1
-    gradient: np.ndarray  # (m + 1, 6)
-    blocks: np.ndarray  # (10, 6, LANES) of LANES segments: knots k >= l as 00 10 11 20 21 22 30 ..., lower triangles
+    band: np.ndarray  # (3 n + BAND, WIDTH) [column, row - column], the lower triangle
+    gradient: np.ndarray  # (3 n + WIDTH,)
+    blocks: np.ndarray  # (10, 6, LANES) of LANES pieces: coefficients k >= l as 00 10 11 20 21 22 30 ..., lower triangles
     slopes: np.ndarray  # (4, 3, LANES) their gradients
 
 
 @jit
-def empty_equations(m: int) -> Equations:
-    """Of m segments."""
+def empty_equations(n: int) -> Equations:
+    """Of n coefficients."""
     return Equations(
-        np.zeros((m + 1, 6, ROWS)),
-        np.zeros((m, 6, ROWS)),
-        np.zeros((m + 1, 6)),
-        np.zeros((10, 6, LANES)),
-        np.zeros((4, 3, LANES)),
+        np.zeros((3 * n + BAND, WIDTH)), np.zeros(3 * n + WIDTH), np.zeros((10, 6, LANES)), np.zeros((4, 3, LANES))
     )
 
 
@@ -64,18 +63,13 @@ def _add_slope(slopes: np.ndarray, k: int, a: Some, physics: Any, b: Some, comfo
 
 
 @jit_inline
-def _add_sample(
-    equations: Equations, segments: Segments, h: Weights, bends: Weights, physics: PhysicsModel, comfort: ComfortModel
+def _add_models(
+    equations: Equations, scale: Some, omega: Weights, physics: PhysicsModel, h: Weights, comfort: ComfortModel
 ) -> None:
-    """Spreads a sample's models over the segments' knots, whose weights are h in its com and `bends` in its acceleration."""
-    blocks, slopes, bend, scale = equations.blocks, equations.slopes, segments.bend, segments.scale
-    phi, m, c, g, f = physics.phi, physics.matrix, comfort.matrix, physics.gradient, comfort.gradient
-    o0, o1, o2, o3 = (
-        bend * bends[0] - phi * h[0],
-        bend * bends[1] - phi * h[1],
-        bend * bends[2] - phi * h[2],
-        bend * bends[3] - phi * h[3],
-    )
+    """Spreads a sample's models, `scale` times, over the pieces' coefficients, by their weights in what each model sees."""
+    blocks, slopes = equations.blocks, equations.slopes
+    m, c, g, f = physics.matrix, comfort.matrix, physics.gradient, comfort.gradient
+    o0, o1, o2, o3 = omega
     a0, a1, a2, a3 = scale * o0, scale * o1, scale * o2, scale * o3
     p0, p1, p2, p3 = scale * h[0], scale * h[1], scale * h[2], scale * h[3]
     _add_block(blocks, 0, a0 * o0, m, p0 * h[0], c)
@@ -95,40 +89,24 @@ def _add_sample(
 
 
 @jit_inline
-def _put(target: np.ndarray, i: int, column: int, row: int, blocks: np.ndarray, n: int, k: int, factor: float) -> None:
-    """Adds factor times block n of lane k, whole, from target[i, column, row] on."""
-    x, y, z = factor * blocks[n, 0, k], factor * blocks[n, 1, k], factor * blocks[n, 2, k]
-    u, v, w = factor * blocks[n, 3, k], factor * blocks[n, 4, k], factor * blocks[n, 5, k]
-    target[i, column, row] += x
-    target[i, column, row + 1] += y
-    target[i, column, row + 2] += u
-    target[i, column + 1, row] += y
-    target[i, column + 1, row + 1] += z
-    target[i, column + 1, row + 2] += v
-    target[i, column + 2, row] += u
-    target[i, column + 2, row + 1] += v
-    target[i, column + 2, row + 2] += w
+def _put_block(band: np.ndarray, k: int, row: int, column: int, block: np.ndarray, lane: int) -> None:
+    """Adds the 3x3 block of coefficients `row` >= `column` to the band."""
+    for a in range(3):
+        for b in range(a if row == column else 0, 3):
+            low, high = min(a, b), max(a, b)
+            band[3 * column + a, 3 * (row - column) + b - a] += block[k, high * (high + 1) // 2 + low, lane]
 
 
 @jit_inline
-def _put_segment(equations: Equations, i: int, k: int, duration: float) -> None:
-    """Adds lane k's blocks to the equations of segment i's two control points; a tangent is 1 / T of its knot."""
-    blocks, slopes, square = equations.blocks, equations.slopes, duration * duration
-    _put(equations.diagonal, i, 0, 0, blocks, 0, k, 1.0)
-    _put(equations.diagonal, i, 0, 3, blocks, 1, k, duration)
-    _put(equations.diagonal, i, 3, 3, blocks, 2, k, square)
-    _put(equations.lower, i, 0, 0, blocks, 3, k, 1.0)
-    _put(equations.lower, i, 3, 0, blocks, 4, k, duration)
-    _put(equations.diagonal, i + 1, 0, 0, blocks, 5, k, 1.0)
-    _put(equations.lower, i, 0, 3, blocks, 6, k, duration)
-    _put(equations.lower, i, 3, 3, blocks, 7, k, square)
-    _put(equations.diagonal, i + 1, 0, 3, blocks, 8, k, duration)
-    _put(equations.diagonal, i + 1, 3, 3, blocks, 9, k, square)
-    for axis in range(3):
-        equations.gradient[i, axis] += slopes[0, axis, k]
-        equations.gradient[i, 3 + axis] += duration * slopes[1, axis, k]
-        equations.gradient[i + 1, axis] += slopes[2, axis, k]
-        equations.gradient[i + 1, 3 + axis] += duration * slopes[3, axis, k]
+def _put_piece(equations: Equations, first: int, lane: int) -> None:
+    """Adds a lane's blocks to the equations of its four coefficients."""
+    n = 0
+    for k in range(ORDER):
+        for j in range(k + 1):
+            _put_block(equations.band, n, first + k, first + j, equations.blocks, lane)
+            n += 1
+        for axis in range(3):
+            equations.gradient[3 * (first + k) + axis] += equations.slopes[k, axis, lane]
 
 
 @jit_inline
@@ -140,58 +118,141 @@ def _both(left: ComfortModel, right: ComfortModel) -> ComfortModel:
 
 
 @jit_inline
-def _sum_samples(problem: Problem, segments: Segments, i: int, eps: float, equations: Equations) -> Some:
-    """Fills blocks and slopes with the models of all samples of the segments from i on; returns their E in lanes."""
+def _nothing(like: Some) -> ComfortModel:
+    zero = 0.0 * like
+    return ComfortModel(zero, (zero, zero, zero), (zero, zero, zero, zero, zero, zero))
+
+
+@jit_inline
+def _identity(size: Some) -> Lower:
+    zero = 0.0 * size
+    return size, zero, size, zero, zero, size
+
+
+@jit_inline
+def _add_jerk(problem: Problem, pieces: Pieces, equations: Equations) -> Some:
+    """Adds jerk_weight |jerk|^2 of the pieces, over their time; returns it in lanes."""
+    samples, third = problem.support_point.shape[0], pieces.bend / pieces.duration
+    p = pieces.powers
+    w = (6 * third * p[0][3], 6 * third * p[1][3], 6 * third * p[2][3], 6 * third * p[3][3])
+    x, y, z = mix_all(w, pieces)
+    scale = (samples * problem.jerk_weight) * pieces.scale
+    two = 2.0 + 0.0 * scale
+    model = PhysicsModel(scale, scale, (2 * x, 2 * y, 2 * z), _identity(two))
+    _add_models(equations, scale, w, model, w, _nothing(scale))
+    return scale * (x * x + y * y + z * z)
+
+
+@jit_inline
+def _add_strength(problem: Problem, pieces: Pieces, w: Three, bends: Weights, equations: Equations) -> Some:
+    """Adds what a force beyond the character's strength costs at a sample; returns it in lanes."""
+    model = cost.strength_model(w, problem.strength, problem.strength_weight)
+    _add_models(equations, pieces.scale, bends, model, bends, _nothing(pieces.scale))
+    return pieces.scale * model.size
+
+
+@jit_inline
+def _sum_samples(problem: Problem, pieces: Pieces, i: int, eps: float, equations: Equations) -> Some:
+    """Fills blocks and slopes with the models of all samples of the pieces from i on; returns their E in lanes."""
     samples = problem.support_point.shape[0]
     equations.blocks[:] = 0.0
     equations.slopes[:] = 0.0
-    e = 0.0 * segments.scale
+    e = _add_jerk(problem, pieces, equations)
     for j in range(samples):
-        s = (j + 0.5) / samples
-        h, bends = position_weights(s, 1.0), acceleration_weights(s, 1.0)
-        com, w = problems.state_of_sample(segments, h, bends)
+        h, bends = weights_at(pieces, (j + 0.5) / samples)
+        com, (x, y, z) = mix_all(h, pieces), mix_all(bends, pieces)
+        w = (x, y, z + GRAVITY)
         physics = problems.physics_of_sample(problem, i, j, com, w, eps)
         left = problems.comfort_of_leg(problem, i, j, LEFT, com)
         right = problems.comfort_of_leg(problem, i, j, RIGHT, com)
-        e += segments.scale * (cost.smooth_norm(physics.size, eps) + left.cost + right.cost)
-        _add_sample(equations, segments, h, bends, physics, _both(left, right))
+        e += pieces.scale * (cost.smooth_norm(physics.size, eps) + left.cost + right.cost)
+        phi = physics.phi
+        omega = (bends[0] - phi * h[0], bends[1] - phi * h[1], bends[2] - phi * h[2], bends[3] - phi * h[3])
+        _add_models(equations, pieces.scale, omega, physics, h, _both(left, right))
+        if anywhere(root(x * x + y * y + w[2] * w[2]) > problem.strength):
+            e += _add_strength(problem, pieces, w, bends, equations)
     return e
 
 
-@jit_borrowing
-def assemble(problem: Problem, control: np.ndarray, eps: float, equations: Equations) -> float:
-    """Fills the equations at control (m + 1, 6); returns the smoothed E."""
-    equations.diagonal[:] = 0.0
-    equations.lower[:] = 0.0
-    equations.gradient[:] = 0.0
-    m, e = len(problem.time) - 1, _add_anchor(problem, control, equations)
-    for i in range(0, m, LANES):
-        segments = problems.segments_from(problem, control, i)
-        e += total(_sum_samples(problem, segments, i, eps, equations))
-        for k in range(min(LANES, m - i)):
-            _put_segment(equations, i + k, k, problem.time[i + k + 1] - problem.time[i + k])
-        if problems.overreaches(problem, segments, i):
-            e += _add_reach(problem, control, i, equations)
-    return e
+@jit_inline
+def _ends(pieces: Pieces, end: int) -> Weights:
+    """Weights of the coefficients in the com at an end of the pieces."""
+    return weights_at(pieces, 1.0 * end)[0]
+
+
+@jit_inline
+def _overreaches(problem: Problem, pieces: Pieces, i: int) -> bool:
+    """Whether a leg is longer than max_length at an end of the pieces from i on: rarely, and only then it costs."""
+    found = False
+    for end in range(2):
+        found |= problems.is_beyond(problem, i, end, mix_all(_ends(pieces, end), pieces))
+    return found
 
 
 @jit_borrowing
-def _add_anchor(problem: Problem, control: np.ndarray, equations: Equations) -> float:
-    last = len(control) - 1
-    for k in range(6):
-        equations.diagonal[last, k, k] += problem.anchor_stiffness[k // 3]
-        equations.gradient[last, k] += problem.anchor_stiffness[k // 3] * (control[last, k] - problem.anchor[k])
-    return problems.anchor_cost(problem, control)
-
-
-@jit_borrowing
-def _add_reach(problem: Problem, control: np.ndarray, i: int, equations: Equations) -> float:
-    e = 0.0
-    for k in range(i, min(i + LANES, len(problem.time) - 1)):
+def _add_reach(problem: Problem, basis: Basis, coefficients: np.ndarray, i: int, equations: Equations) -> float:
+    """Adds the reach penalties at the ends of the pieces from i on that can move to their blocks."""
+    e, blocks, slopes, p = 0.0, equations.blocks, equations.slopes, basis.weights
+    for lane in range(min(LANES, len(problem.time) - 1 - i)):
+        piece = i + lane
         for end in range(2):
-            if not problem.fixed[k + end]:
-                e += cost.add_reach(
-                    control[k + end], problem.end_origin[end, :, :, k], problem.end_standing[end, :, k], problem.max_length,
-                    problem.comfort_weight, equations.diagonal[k + end], equations.gradient[k + end],
-                )  # fmt: skip
+            if problem.fixed[piece + end]:
+                continue
+            first, x, y, z = basis.first[piece], 0.0, 0.0, 0.0
+            for k in range(ORDER):
+                h = p[k, 0, piece] if end == 0 else p[k, 0, piece] + p[k, 1, piece] + p[k, 2, piece] + p[k, 3, piece]
+                x, y, z = (
+                    x + h * coefficients[first + k, 0],
+                    y + h * coefficients[first + k, 1],
+                    z + h * coefficients[first + k, 2],
+                )
+            size, slope, matrix = cost.reach_model(
+                (x, y, z), problem.end_origin[end, :, :, piece], problem.end_standing[end, :, piece],
+                (problem.end_reach[end, piece] * problem.max_length[0], problem.end_reach[end, piece] * problem.max_length[1]),
+                problem.comfort_weight,
+            )  # fmt: skip
+            e, n = e + size, 0
+            for k in range(ORDER):
+                h = p[k, 0, piece] if end == 0 else p[k, 0, piece] + p[k, 1, piece] + p[k, 2, piece] + p[k, 3, piece]
+                for axis in range(3):
+                    slopes[k, axis, lane] += h * slope[axis]
+                for j in range(k + 1):
+                    g = p[j, 0, piece] if end == 0 else p[j, 0, piece] + p[j, 1, piece] + p[j, 2, piece] + p[j, 3, piece]
+                    for r in range(6):
+                        blocks[n, r, lane] += h * g * matrix[r]
+                    n += 1
+    return e
+
+
+@jit_borrowing
+def assemble(problem: Problem, basis: Basis, coefficients: np.ndarray, eps: float, equations: Equations) -> float:
+    """Fills the equations at coefficients (n, 3); returns the smoothed E."""
+    equations.band[:] = 0.0
+    equations.gradient[:] = 0.0
+    m, e = len(problem.time) - 1, _add_anchor(problem, basis, coefficients, equations)
+    for i in range(0, m, LANES):
+        pieces = pieces_from(problem, basis, coefficients, i)
+        e += total(_sum_samples(problem, pieces, i, eps, equations))
+        if _overreaches(problem, pieces, i):
+            e += _add_reach(problem, basis, coefficients, i, equations)
+        for lane in range(min(LANES, m - i)):
+            _put_piece(equations, basis.first[i + lane], lane)
+    return e
+
+
+@jit_borrowing
+def _add_anchor(problem: Problem, basis: Basis, coefficients: np.ndarray, equations: Equations) -> float:
+    """The springs at the end: its place is the last coefficient, its velocity a difference of the last two."""
+    n, e, stiff = len(coefficients), 0.0, problem.anchor_stiffness
+    rate = 3 / (problem.time[-1] - problem.time[basis.knot[n - 1]])
+    for axis in range(3):
+        last, before = 3 * (n - 1) + axis, 3 * (n - 2) + axis
+        place = coefficients[n - 1, axis] - problem.anchor[axis]
+        speed = rate * (coefficients[n - 1, axis] - coefficients[n - 2, axis]) - problem.anchor[3 + axis]
+        e += 0.5 * (stiff[0] * place * place + stiff[1] * speed * speed)
+        equations.gradient[last] += stiff[0] * place + stiff[1] * rate * speed
+        equations.gradient[before] -= stiff[1] * rate * speed
+        equations.band[last, 0] += stiff[0] + stiff[1] * rate * rate
+        equations.band[before, 0] += stiff[1] * rate * rate
+        equations.band[before, 3] -= stiff[1] * rate * rate
     return e

@@ -7,15 +7,29 @@ from typing import NamedTuple
 
 import numpy as np
 
+from motion.arithmetic.gravity import GRAVITY, pendulum_time
 from motion.arithmetic.triples import Triple, minus
 from motion.characters.dimensions import Dimensions
 from motion.com import problem as problems
 from motion.com.problem import Problem
 from motion.track import foot, heading, phases
 from motion.track.footprints import LEFT, Footprints
-from worlds.compiled.jit import jit, jit_inline
+from motion.track.pelvis import pelvis_at
+from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 
-FULL_REACH = 0.995
+SINGLE = 3
+"""Pieces of a single stance: its force can rise, hold or dip, and fall."""
+SPRINGY = 0.3
+"""Share of comfort that counts in a stance beside a flight: there the leg is a spring, and gives as physics asks."""
+PIECE = 0.45
+"""Length of a piece of a long double stance, in pendulum times."""
+JERK_WEIGHT = 1e-7
+"""Of |jerk|^2 [s^3/m]: less lets forces flutter, more rounds them off."""
+STRENGTH = 3.3
+"""Forces beyond so many body weights cost."""
+LANDING, LEAVING = 0.985, 0.99
+"""Shares of its reach that a leg has when it lands from a flight, as it must be able to give, and when it leaves for one."""
+FULL_REACH = 0.9985
 """Share of max_length from which on reach counts: the penalty gives a little, the leg shall not."""
 LOOK_BACK = 6
 """Footprints before the newest among which a standing one is looked for."""
@@ -25,7 +39,8 @@ class Layout(NamedTuple):
     """How a curve is laid out."""
 
     samples: int  # of the costs in each segment
-    by_step: bool  # a segment per step, as in the paper; else one per phase of support
+    by_step: bool  # a segment per step, as in the paper; else by phases of support
+    smooth: bool  # several segments to a phase, and no jump of the acceleration between segments; else one
 
 
 class Stance(NamedTuple):
@@ -33,15 +48,16 @@ class Stance(NamedTuple):
 
     footprints: Footprints
     axis: np.ndarray  # (n, 3) of each footprint's sole, heel to toe
-    ahead: np.ndarray  # (m * (S + 1) + 1, 2) the body's direction at each segment's beginning and samples, and the last end
+    pelvis: np.ndarray  # (m * (S + 1) + 1, 3) cosine and sine of its heading, and its list, at all beginnings, samples, the end
 
 
 class Moment(NamedTuple):
     """A time at which feet are laid."""
 
     t: float  # [s]
-    cosine: float  # of the body's heading
+    cosine: float  # of the pelvis's heading
     sine: float
+    roll: float  # of the pelvis [rad]
     left: int  # footprint that carries the left leg, -1 for none
     right: int
 
@@ -61,10 +77,11 @@ def _stance(biped: Dimensions, footprints: Footprints, time: np.ndarray, samples
     times[k] = time[m]
     yaw = np.empty(len(times))
     heading.body_headings(biped, footprints, times, yaw)
-    ahead = np.empty((len(times), 2))
+    pelvis = np.empty((len(times), 3))
     for i in range(len(times)):
-        ahead[i, 0], ahead[i, 1] = np.cos(yaw[i]), np.sin(yaw[i])
-    return Stance(footprints, axis, ahead)
+        turn, roll = pelvis_at(biped, footprints, times[i])
+        pelvis[i, 0], pelvis[i, 1], pelvis[i, 2] = np.cos(yaw[i] + turn), np.sin(yaw[i] + turn), roll
+    return Stance(footprints, axis, pelvis)
 
 
 @jit
@@ -91,7 +108,7 @@ def lay_samples(biped: Dimensions, footprints: Footprints, problem: Problem, sup
 
 @jit_inline
 def _moment(stance: Stance, k: int, t: float, left: int, right: int) -> Moment:
-    return Moment(t, stance.ahead[k, 0], stance.ahead[k, 1], left, right)
+    return Moment(t, stance.pelvis[k, 0], stance.pelvis[k, 1], stance.pelvis[k, 2], left, right)
 
 
 @jit_inline
@@ -105,7 +122,7 @@ def _lay_sample(biped: Dimensions, stance: Stance, problem: Problem, i: int, j: 
             u = foot.stance_share(footprints, n, moment.t)
             _put(problem.support_point, j, leg, i, _on_sole(stance, n, foot.pressing_at(biped, footprints, n, u), 0.0))
             _put(problem.leg_origin, j, leg, i, _origin(biped, stance, n, leg, moment, u))
-            problem.nominal_length[j, leg, i] = footprints.nominal_length[n]
+            problem.nominal_length[j, leg, i] = foot.nominal_at(biped, footprints, n, u)
 
 
 @jit_inline
@@ -133,8 +150,8 @@ def _on_sole(stance: Stance, n: int, forward: float, up: float) -> Triple:
 @jit_inline
 def _origin(biped: Dimensions, stance: Stance, n: int, leg: int, moment: Moment, u: float) -> Triple:
     """Ankle of the foot on footprint n at share u of its stance (motion.track.foot.stance_ankle), minus the hip's offset."""
-    hip = foot.hip_toward(biped, leg, moment.cosine, moment.sine)
-    forward, up = foot.ankle_of(biped, stance.footprints.roll[n, 1], u)
+    hip = foot.hip_toward(biped, leg, moment.cosine, moment.sine, moment.roll)
+    forward, up = foot.ankle_of(biped, stance.footprints, n, u)
     return minus(_on_sole(stance, n, forward, up), hip)
 
 
@@ -148,8 +165,54 @@ def build_problem(
     m = phases.build_phases(footprints, begin, end, time, support)
     if layout.by_step:
         m = phases.merge_by_step(time, support, m)
+    if layout.smooth:
+        time, support, share = _in_pieces(biped, time[: m + 1], support[:m])
+        m = len(support)
     leg = biped.leg
-    problem = problems.empty_problem(m, layout.samples, leg.nominal_length, FULL_REACH * leg.max_length, leg.comfort_weight)
+    problem = problems.empty_problem(
+        m, layout.samples, leg.nominal_length, FULL_REACH * leg.max_length, leg.comfort_weight, layout.smooth
+    )
+    if layout.smooth:
+        problem = problems.with_effort(problem, STRENGTH * GRAVITY, JERK_WEIGHT)
+        problem.comfort_share[:m] = share
+        for i in range(1, m):
+            if not _flies(support, i):
+                problem.end_reach[0, i] = LANDING if _flies(support, i - 1) else 1.0
+                problem.end_reach[1, i] = LEAVING if _flies(support, i + 1) else 1.0
     problem.time[:] = time[: m + 1]
     lay_samples(biped, footprints, problem, support, layout.by_step)
     return problem, support[:m]
+
+
+@jit_borrowing
+def _flies(support: np.ndarray, i: int) -> bool:
+    """Whether phase i is a flight."""
+    return 0 <= i < len(support) and support[i, 0] < 0 and support[i, 1] < 0
+
+
+@jit
+def _in_pieces(biped: Dimensions, time: np.ndarray, support: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Phases in equal pieces: a single stance in SINGLE, as its force rises and falls; others by their time, a flight in one.
+
+    Returns the times, supports and shares of comfort of the pieces. Beside a flight there are more, and comfort counts less.
+    """
+    counts, unit = np.ones(len(support), np.int64), PIECE * pendulum_time(biped.leg.nominal_length)
+    for i in range(len(support)):
+        pieces = int(round((time[i + 1] - time[i]) / unit))
+        if _flies(support, i - 1) or _flies(support, i + 1):
+            counts[i] = min(max(2 * pieces, SINGLE), 2 * SINGLE)
+        elif support[i, 0] >= 0 and support[i, 1] >= 0:
+            counts[i] = min(max(pieces, 1), SINGLE)
+        elif not _flies(support, i):
+            counts[i] = SINGLE
+    total = counts.sum()
+    out, stand, share = np.empty(total + 1), np.empty((total, 2), np.int64), np.ones(total)
+    n = 0
+    for i in range(len(support)):
+        for k in range(counts[i]):
+            out[n] = time[i] + k * (time[i + 1] - time[i]) / counts[i]
+            stand[n, 0], stand[n, 1] = support[i, 0], support[i, 1]
+            share[n] = SPRINGY if _flies(support, i - 1) or _flies(support, i + 1) else 1.0
+            n += 1
+    out[n] = time[-1]
+    return out, stand, share

@@ -1,10 +1,10 @@
-"""Gauss-Newton on block-tridiagonal normal equations: the default solver.
+"""Gauss-Newton on banded normal equations: the default solver.
 
 E sums norms |r|, whose exact gradient is J^T r / |r|. Weighting the squared residual by 1 / max(|r|, eps) gives that
 gradient and a positive definite Hessian 1/|r| J^T J (iteratively reweighted least squares). It minimises Huber's smoothed
-norm exactly; eps shrinks from a smooth problem (squared norm) to a sharp one, each stage warm-started by the last. A
-control point couples only with its neighbours, so the normal equations are block tridiagonal with 6x6 blocks (half
-bandwidth 12), factored by block Cholesky in time linear in the segments.
+norm exactly; eps shrinks from a smooth problem (squared norm) to a sharp one, each stage warm-started by the last. The unknowns
+are coefficients of B-splines (motion.track.basis), each of which couples with the next three, so the normal equations are a band
+of twelve, factored in time linear in the pieces.
 """
 
 from typing import NamedTuple
@@ -12,9 +12,10 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.com import problem as problems
+from motion.com.banded import solve
 from motion.com.equations import Equations, assemble, empty_equations
 from motion.com.problem import Problem
-from motion.com.tridiagonal import Factor, empty_factor, solve
+from motion.track.basis import Basis, basis_of, coefficients_of, control_of
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 
 
@@ -29,7 +30,7 @@ class Effort(NamedTuple):
 
 
 TIGHT = Effort(9, 3.0, 3e-4, 60, 1e-7)
-SCENE = Effort(2, 0.1, 3e-3, 12, 1e-3)
+SCENE = Effort(4, 3.0, 1e-3, 12, 1e-4)
 LIVE = Effort(1, 3e-4, 3e-4, 16, 1e-2)
 HARDER = Effort(4, 1.0, 3e-3, 10, 1e-3)
 
@@ -38,17 +39,22 @@ _BACK = 0.3
 
 
 class Workspace(NamedTuple):
-    """What a solve of m segments needs."""
+    """What a solve needs."""
 
+    basis: Basis
     equations: Equations
-    factor: Factor
-    kept: np.ndarray  # (m + 1, 6) control points from which the step goes
+    coefficients: np.ndarray  # (n, 3)
+    kept: np.ndarray  # (n, 3) coefficients from which the step goes
+    step: np.ndarray  # (3 n + ...,)
 
 
 @jit
-def workspace(m: int) -> Workspace:
-    """For m segments."""
-    return Workspace(empty_equations(m), empty_factor(m), np.empty((m + 1, 6)))
+def workspace(problem: Problem, control: np.ndarray) -> Workspace:
+    """For a problem, from these control points on."""
+    basis = basis_of(problem.time, problem.smooth)
+    coefficients = coefficients_of(basis, problem.time, control, problem.bend)
+    equations = empty_equations(len(coefficients))
+    return Workspace(basis, equations, coefficients, coefficients.copy(), np.zeros(len(equations.gradient)))
 
 
 @jit_borrowing
@@ -56,20 +62,23 @@ def _stage(
     problem: Problem, control: np.ndarray, eps: float, iterations: int, tolerance: float, work: Workspace
 ) -> tuple[float, int]:
     """Full steps on the smoothed E, each checked by the next assembly, the last by the costs; returns (true E, iterations)."""
+    basis, coefficients = work.basis, work.coefficients
     before, share, kept, used, near = np.inf, 1.0, work.kept, 0, False
     while used < iterations and not near:
-        e = assemble(problem, control, eps, work.equations)
+        e = assemble(problem, basis, coefficients, eps, work.equations)
         if not e <= before:
             share *= _BACK
         else:
-            near = not solve(problem, work.equations, work.factor) > tolerance * e
-            _copy(control, kept)
+            near = not solve(problem.fixed, basis, work.equations, work.step) > tolerance * e
+            _copy(coefficients, kept)
             before, share = e, 1.0
-        _move(control, kept, share, work.factor.step)
+        _move(coefficients, kept, share, work.step)
         used += 1
+    control_of(basis, problem.time, coefficients, control)
     e, true = problems.total_costs(problem, control, eps)
     if not e <= before:
-        _copy(kept, control)
+        _copy(kept, coefficients)
+        control_of(basis, problem.time, coefficients, control)
         true = problems.total_cost(problem, control)
     return true, used
 
@@ -77,21 +86,21 @@ def _stage(
 @jit_inline
 def _copy(source: np.ndarray, goal: np.ndarray) -> None:
     for i in range(len(source)):
-        for k in range(6):
+        for k in range(3):
             goal[i, k] = source[i, k]
 
 
 @jit_inline
-def _move(control: np.ndarray, kept: np.ndarray, share: float, step: np.ndarray) -> None:
-    for i in range(len(control)):
-        for k in range(6):
-            control[i, k] = kept[i, k] + share * step[i, k]
+def _move(coefficients: np.ndarray, kept: np.ndarray, share: float, step: np.ndarray) -> None:
+    for i in range(len(coefficients)):
+        for k in range(3):
+            coefficients[i, k] = kept[i, k] + share * step[3 * i + k]
 
 
 @jit
 def minimise(problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float, int]:
     """Moves control (m + 1, 6) in place to a minimum of E; returns (E, iterations)."""
-    work = workspace(len(problem.time) - 1)
+    work = workspace(problem, control)
     ratio = (effort.eps_last / effort.eps_first) ** (1.0 / max(effort.stages - 1, 1))
     eps = effort.eps_first
     e, used = 0.0, 0

@@ -19,6 +19,9 @@ from motion.track.footprints import LEFT, RIGHT
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 from worlds.compiled.lanes import LANES, anywhere, lanes_of, load, total
 
+STRENGTH_WEIGHT = 0.05
+"""Of what a force is beyond the strength of the legs, squared [s^2/m]."""
+
 
 class Problem(NamedTuple):
     """m segments with S samples each; world frame, SI units. M = m + LANES - 1: the rest is never read as a segment."""
@@ -29,17 +32,26 @@ class Problem(NamedTuple):
     standing: np.ndarray  # (S, 2, M) bool
     end_origin: np.ndarray  # (2, 2, 3, M) the same as leg_origin, at the beginning and the end of the segment
     end_standing: np.ndarray  # (2, 2, M) bool
+    end_reach: np.ndarray  # (2, M) share of max_length that legs may have there
     fixed: np.ndarray  # (m + 1,) bool: control points that may not move
     nominal_length: np.ndarray  # (S, 2, M) of the standing legs [m]
     max_length: np.ndarray  # (2,) of the left and right leg [m]; infinite: reach does not count
     anchor: np.ndarray  # (6,) where the last control point is held by springs
     anchor_stiffness: np.ndarray  # (2,) of its position [1/s/m] and velocity [s/m]; 0: free
     comfort_weight: float  # [1/s^2/m]
+    comfort_share: np.ndarray  # (M,) of it that counts in each segment
+    strength: float  # of the legs: a force beyond it costs [m/s^2]
+    strength_weight: float  # [s^2/m]
+    jerk_weight: float  # of |jerk|^2 [s^3/m]
+    smooth: bool  # the acceleration may not jump between segments
+    bend: np.ndarray  # (2, 3) acceleration where a smooth curve begins and ends, if those are fixed [m/s^2]
 
 
 @jit
-def empty_problem(segments: int, samples: int, nominal_length: float, max_length: float, comfort_weight: float) -> Problem:
-    """A problem of that size with nobody standing and nothing fixed, all legs of one nominal length."""
+def empty_problem(
+    segments: int, samples: int, nominal_length: float, max_length: float, comfort_weight: float, smooth: bool = False
+) -> Problem:
+    """A problem of that size with nobody standing and nothing fixed, all legs of one nominal length and any strength."""
     wide = segments + LANES - 1
     return Problem(
         np.zeros(segments + 1),
@@ -48,13 +60,31 @@ def empty_problem(segments: int, samples: int, nominal_length: float, max_length
         np.zeros((samples, 2, wide), np.bool_),
         np.zeros((2, 2, 3, wide)),
         np.zeros((2, 2, wide), np.bool_),
+        np.ones((2, wide)),
         np.zeros(segments + 1, np.bool_),
         np.full((samples, 2, wide), nominal_length),
         np.full(2, max_length),
         np.zeros(6),
         np.zeros(2),
         comfort_weight,
+        np.ones(wide),
+        np.inf,
+        STRENGTH_WEIGHT,
+        0.0,
+        smooth,
+        np.zeros((2, 3)),
     )
+
+
+@jit
+def with_effort(problem: Problem, strength: float, jerk_weight: float) -> Problem:
+    """The same problem in which forces beyond `strength` [m/s^2], and jerk, cost."""
+    p = problem
+    return Problem(
+        p.time, p.support_point, p.leg_origin, p.standing, p.end_origin, p.end_standing, p.end_reach, p.fixed,
+        p.nominal_length, p.max_length, p.anchor, p.anchor_stiffness, p.comfort_weight, p.comfort_share, strength,
+        p.strength_weight, jerk_weight, p.smooth, p.bend,
+    )  # fmt: skip
 
 
 class Segments(NamedTuple):
@@ -131,7 +161,8 @@ def comfort_of_leg(problem: Problem, i: int, j: int, leg: int, com: Three) -> Co
     """motion.com.cost.comfort_model of one leg in sample j of the segments from i on."""
     q, on = _triple(problem.leg_origin, j, leg, i), load(problem.standing, (j, leg, i))
     nominal = load(problem.nominal_length, (j, leg, i))
-    return cost.comfort_model(com, q, on, nominal, problem.max_length[leg], problem.comfort_weight)
+    weight = problem.comfort_weight * load(problem.comfort_share, (i,))
+    return cost.comfort_model(com, q, on, nominal, problem.max_length[leg], weight)
 
 
 @jit_inline
@@ -139,12 +170,19 @@ def overreaches(problem: Problem, segments: Segments, i: int) -> bool:
     """Whether a leg is longer than max_length at an end of the segments from i on: rarely, and only then it costs."""
     found = False
     for end in range(2):
-        com = (segments.x[2 * end], segments.y[2 * end], segments.z[2 * end])
-        for leg in range(2):
-            q, on = _triple(problem.end_origin, end, leg, i), load(problem.end_standing, (end, leg, i))
-            x, y, z = com[0] - q[0], com[1] - q[1], com[2] - q[2]
-            limit = problem.max_length[leg]
-            found |= anywhere(on & (x * x + y * y + z * z > limit * limit))
+        found |= is_beyond(problem, i, end, (segments.x[2 * end], segments.y[2 * end], segments.z[2 * end]))
+    return found
+
+
+@jit_inline
+def is_beyond(problem: Problem, i: int, end: int, com: Three) -> bool:
+    """Whether a leg is longer than max_length at one end of the segments from i on, whose coms there are given."""
+    found = False
+    for leg in range(2):
+        q, on = _triple(problem.end_origin, end, leg, i), load(problem.end_standing, (end, leg, i))
+        x, y, z = com[0] - q[0], com[1] - q[1], com[2] - q[2]
+        limit = problem.max_length[leg] * load(problem.end_reach, (end, i))
+        found |= anywhere(on & (x * x + y * y + z * z > limit * limit))
     return found
 
 
@@ -156,10 +194,23 @@ def reach_cost(problem: Problem, control: np.ndarray, i: int) -> float:
         for end in range(2):
             if not problem.fixed[k + end]:
                 e += cost.reach_cost(
-                    control[k + end], problem.end_origin[end, :, :, k], problem.end_standing[end, :, k], problem.max_length,
+                    control[k + end], problem.end_origin[end, :, :, k], problem.end_standing[end, :, k],
+                    (problem.end_reach[end, k] * problem.max_length[0], problem.end_reach[end, k] * problem.max_length[1]),
                     problem.comfort_weight,
                 )  # fmt: skip
     return e
+
+
+@jit_inline
+def _jerk_cost(problem: Problem, segments: Segments) -> Some:
+    """jerk_weight |jerk|^2 of a segment as a cost of each sample."""
+    x, y, z = (
+        12 * (segments.x[0] - segments.x[2]) + 6 * (segments.x[1] + segments.x[3]),
+        12 * (segments.y[0] - segments.y[2]) + 6 * (segments.y[1] + segments.y[3]),
+        12 * (segments.z[0] - segments.z[2]) + 6 * (segments.z[1] + segments.z[3]),
+    )
+    third = segments.bend * segments.bend * segments.bend  # 1 / T^6
+    return (problem.support_point.shape[0] * problem.jerk_weight) * third * (x * x + y * y + z * z)
 
 
 @jit_borrowing
@@ -167,12 +218,14 @@ def costs_from(problem: Problem, control: np.ndarray, i: int, eps: float) -> tup
     """The share in E of the LANES segments from i on: (as the solver smooths it, the true norm)."""
     samples = problem.support_point.shape[0]
     segments = segments_from(problem, control, i)
-    smooth, true = 0.0 * segments.scale, 0.0 * segments.scale
+    smooth, true = 0.0 * segments.scale, _jerk_cost(problem, segments)
+    smooth += true
     for j in range(samples):
         s = (j + 0.5) / samples
         com, w = state_of_sample(segments, position_weights(s, 1.0), acceleration_weights(s, 1.0))
         r = physics_of_sample(problem, i, j, com, w, eps).size
         comfort = comfort_of_leg(problem, i, j, LEFT, com).cost + comfort_of_leg(problem, i, j, RIGHT, com).cost
+        comfort += cost.strength_model(w, problem.strength, problem.strength_weight).size
         smooth += cost.smooth_norm(r, eps) + comfort
         true += r + comfort
     reach = reach_cost(problem, control, i) if overreaches(problem, segments, i) else 0.0
@@ -203,47 +256,3 @@ def total_costs(problem: Problem, control: np.ndarray, eps: float) -> tuple[floa
 def total_cost(problem: Problem, control: np.ndarray) -> float:
     """E of control (m + 1, 6)."""
     return total_costs(problem, control, 1.0)[1]
-
-
-@jit
-def straight_guess(problem: Problem, control: np.ndarray, first: int) -> None:
-    """Control points that are not fixed, from `first` on: above the mean of the feet under them, moving with them."""
-    m = len(problem.time) - 1
-    last_sample = problem.support_point.shape[0] - 1
-    for i in range(first, m + 1):
-        if problem.fixed[i]:
-            continue
-        sums = np.zeros(3)
-        found = _add_origins(problem, max(i - 1, 0), last_sample, sums) + _add_origins(problem, min(i, m - 1), 0, sums)
-        control[i, :3] = sums / max(found, 1)
-        control[i, 2] += 0.97 * problem.nominal_length[0, 0, min(i, m - 1)]
-    for i in range(first, m + 1):
-        if not problem.fixed[i]:
-            _guess_velocity(problem, control, i)
-
-
-@jit
-def _add_origins(problem: Problem, i: int, j: int, sums: np.ndarray) -> int:
-    found = 0
-    for leg in range(2):
-        if problem.standing[j, leg, i]:
-            sums += problem.leg_origin[j, leg, :, i]
-            found += 1
-    return found
-
-
-@jit_borrowing
-def _guess_velocity(problem: Problem, control: np.ndarray, i: int) -> None:
-    """Slope through the neighbours; beside a flight (both feet off at the middle sample) the ballistic one."""
-    m = len(problem.time) - 1
-    before, after = max(i - 1, 0), min(i + 1, m)
-    time = problem.time
-    for axis in range(3):
-        control[i, 3 + axis] = (control[after, axis] - control[before, axis]) / (time[after] - time[before])
-    middle = problem.support_point.shape[0] // 2
-    for segment, sign in ((i, 0.5), (i - 1, -0.5)):
-        if 0 <= segment < m and not (problem.standing[middle, 0, segment] or problem.standing[middle, 1, segment]):
-            duration = time[segment + 1] - time[segment]
-            for axis in range(3):
-                control[i, 3 + axis] = (control[segment + 1, axis] - control[segment, axis]) / duration
-            control[i, 5] += sign * GRAVITY * duration

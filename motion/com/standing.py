@@ -3,8 +3,10 @@
 import numpy as np
 
 from motion.characters.dimensions import Dimensions
+from motion.com.laying import FULL_REACH
 from motion.track import foot
 from motion.track.footprints import Footprints
+from motion.track.pelvis import pelvis_at
 from worlds.compiled.jit import jit_borrowing
 
 
@@ -13,13 +15,15 @@ def above_feet(biped: Dimensions, footprints: Footprints, control: np.ndarray) -
     """Fills control (6,) with the com at rest, balanced over the middles of the last two soles, no leg over its nominal."""
     n, position = len(footprints.side), footprints.position
     yaw = 0.5 * (footprints.heading[n - 2] + footprints.facing[n - 2] + footprints.heading[n - 1] + footprints.facing[n - 1])
+    turn, roll = pelvis_at(biped, footprints, footprints.contact_time[n - 1])
     control[:] = 0.0
     for axis in range(2):
         control[axis] = 0.5 * (position[n - 2, axis] + position[n - 1, axis])
     control[2] = np.inf
     for i in range(n - 2, n):
         ankle = foot.stance_ankle(biped, footprints, i, 0.0)
-        hip = foot.hip_offset(biped, footprints.side[i], yaw)
+        hip = foot.hip_offset(biped, footprints.side[i], yaw + turn, roll)
         x, y = control[0] + hip[0] - ankle[0], control[1] + hip[1] - ankle[1]
-        rise = max(footprints.nominal_length[i] ** 2 - x * x - y * y, 0.0) ** 0.5
+        leg = min(footprints.nominal_length[i], FULL_REACH * biped.leg.max_length)
+        rise = max(leg**2 - x * x - y * y, 0.0) ** 0.5
         control[2] = min(control[2], ankle[2] - hip[2] + rise)

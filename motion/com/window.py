@@ -10,23 +10,27 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.characters.dimensions import Dimensions
-from motion.com import laying, newton
-from motion.com import problem as problems
+from motion.com import guess, laying, newton
 from motion.com.laying import Layout
 from motion.com.newton import Effort
 from motion.com.problem import Problem
-from motion.track.curve import Curve, evaluate, up_to
+from motion.com.standing import above_feet
+from motion.track.curve import Curve, end_acceleration, evaluate, up_to
 from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit, jit_borrowing
 
-LIVE = Layout(5, False)
-"""Of the live window: the residual is nearly linear in a phase, five samples find it."""
-SCENE = Layout(10, False)
+LIVE = Layout(3, False, True)
+"""Of the live window: the residual is nearly linear in a piece, three samples find it."""
+SCENE = Layout(5, False, True)
 """Of tracks that are solved as a whole."""
+LAYOUTS = {"smooth": SCENE, "phase": Layout(10, False, False), "step": Layout(10, True, False)}
+"""By name: several segments to a phase, with continuous forces; one to a phase; one to a step, as in the paper."""
 HARD = 0.4
 """Mean cost [m/s^2] of a window above which it gets more effort: leaps, which are rare; walking stays below."""
 ANCHOR_STIFFNESS = (10.0, 1.0)
 """Of the window's end, position [1/s/m] and velocity [s/m]: more steadies the end, and insists on a foreseen state."""
+REST_STIFFNESS = (200.0, 60.0)
+"""The same of who stands: it is at rest there."""
 STRIDES = 4
 """Footprints after which a walk repeats: twice both feet."""
 IRREGULAR = 1.5
@@ -97,25 +101,38 @@ def _repeat(footprints: Footprints, newest: int, t: float, last: Curve, out: np.
 
 
 @jit_borrowing
-def begin_window(footprints: Footprints, problem: Problem, control: np.ndarray, start: np.ndarray, last: Curve) -> None:
-    """Fills control with start (6,) and the first guess of the rest; fixes the start, and the end where it is foreseeable."""
+def begin_window(
+    biped: Dimensions, footprints: Footprints, problem: Problem, control: np.ndarray, committed: Curve, last: Curve
+) -> None:
+    """Fills control with the end of the committed curve, fixed with its acceleration, and the first guess of the rest.
+
+    Where the window's end is foreseeable, springs hold it there: at rest for who stands, else in the stride's next turn.
+    """
+    end = len(committed.time) - 1
     for k in range(6):
-        control[0, k] = start[k]
+        control[0, k] = committed.control[end, k]
     problem.fixed[0] = True
+    if end > 0:
+        end_acceleration(committed, problem.bend[0])
+    newest = len(footprints.side) - 1
+    stands = footprints.stands[newest] and footprints.stands[newest - 1]
+    if stands:
+        above_feet(biped, footprints, problem.anchor)
+        problem.anchor_stiffness[0], problem.anchor_stiffness[1] = REST_STIFFNESS
     if len(last.time) < 2:
-        problems.straight_guess(problem, control, 1)
+        guess.straight_guess(problem, control, 1)
         return
-    first, m, newest = _warm_start(problem, control, last), len(problem.time) - 1, len(footprints.side) - 1
+    first, m = _warm_start(problem, control, last), len(problem.time) - 1
     if first > m:
         return
-    if _regular(footprints, newest, last):
+    if not stands and _regular(footprints, newest, last):
         for i in range(first, m + 1):
             _repeat(footprints, newest, problem.time[i], last, control[i])
         for k in range(6):
             problem.anchor[k] = control[m, k]
         problem.anchor_stiffness[0], problem.anchor_stiffness[1] = ANCHOR_STIFFNESS
     else:
-        problems.straight_guess(problem, control, first)
+        guess.straight_guess(problem, control, first)
 
 
 @jit
@@ -127,7 +144,7 @@ def optimise_track(
     control, stand = np.zeros((len(problem.time), 6)), np.full((len(problem.time), 2), -1)
     control[0], control[-1] = ends.start, ends.finish
     problem.fixed[0] = problem.fixed[-1] = True
-    problems.straight_guess(problem, control, 1)
+    guess.straight_guess(problem, control, 1)
     e, iterations = newton.minimise(problem, control, effort)
     stand[:-1] = support
     return Curve(problem.time, control, stand), Solved(e, iterations)
@@ -147,16 +164,17 @@ def lay_window(biped: Dimensions, footprints: Footprints, begin: float) -> tuple
 
 @jit
 def optimise_window(
-    biped: Dimensions, footprints: Footprints, begin: float, start: np.ndarray, window: Curve, points: int, effort: Effort
+    biped: Dimensions, footprints: Footprints, committed: Curve, window: Curve, points: int, effort: Effort
 ) -> tuple[int, Solved]:
-    """Optimises the window from the committed state start (6,) at `begin` [s] on, in place; returns its control points.
+    """Optimises the window from the end of the committed curve on, in place; returns its control points.
 
     `window` holds the last window's curve in its first `points` rows (0: none, a cold start), and this one's afterwards; it has
     rows for all that there can be.
     """
-    problem, stand = lay_window(biped, footprints, begin)
+    end = len(committed.time) - 1
+    problem, stand = lay_window(biped, footprints, committed.time[end])
     found = np.zeros((len(problem.time), 6))
-    begin_window(footprints, problem, found, start, up_to(window, points - 1))
+    begin_window(biped, footprints, problem, found, committed, up_to(window, points - 1))
     e, iterations = _solve(problem, found, effort)
     for i in range(len(found)):
         window.time[i] = problem.time[i]
@@ -184,7 +202,7 @@ def _solve(problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float
 def _begin_anew(problem: Problem, control: np.ndarray, e: float) -> tuple[float, int]:
     """The better of the curve found, of cost e, and one from a cold start: a bad last window must not spoil all that follow."""
     cold = control.copy()
-    problems.straight_guess(problem, cold, 1)
+    guess.straight_guess(problem, cold, 1)
     cold_e, iterations = newton.minimise(problem, cold, newton.HARDER)
     if cold_e < e:
         control[:] = cold

@@ -20,10 +20,10 @@ ON_GROUND = 1e-5
 """A point of the sole less than this [m] higher than the lowest of them is on the ground; a sole that floats has one too."""
 
 
-def stance_slide(toe: np.ndarray, contact: np.ndarray) -> float:
-    """Largest way of a toe [m] from one frame to the next while its foot is on the ground. toe (F, 2, 3), contact (F, 2)."""
-    held = contact[1:] & contact[:-1]
-    way = np.linalg.norm(np.diff(toe, axis=0), axis=2)
+def stance_slide(sole: np.ndarray, down: np.ndarray) -> float:
+    """Largest way [m] from one frame to the next of a point of the sole that is on the ground (`down`, F, 2, 3) in both."""
+    held = down[1:] & down[:-1]
+    way = np.linalg.norm(np.diff(sole, axis=0), axis=3)
     return float(way[held].max(initial=0.0))
 
 

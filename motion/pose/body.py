@@ -6,9 +6,11 @@ from motion.arithmetic import rotations
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from motion.pose import limbs, trunk
+from motion.pose.feet import Hips
 from motion.pose.pose import Pose
 from motion.track.curve import Track
 from motion.track.footprints import LEFT, RIGHT
+from motion.track.pelvis import weight_at
 from worlds.compiled.jit import jit_borrowing, jit_inline, stack_array
 
 _empty_past = stack_array(trunk.PAST, 3)
@@ -52,17 +54,16 @@ def _pose_head(biped: Dimensions, headings: Triple, pitch: float, roll: float, b
 
 
 @jit_inline
-def pose_body(biped: Dimensions, track: Track, yaw: float, tilt: float, t: float, pose: Pose, c: int) -> None:
-    """Everything above the legs; tilt: how far the right leg has swung (feet.pose_leg), less how far the left one has."""
-    body, past = biped.body, _empty_past()
+def pose_body(biped: Dimensions, track: Track, hips: Hips, t: float, pose: Pose, c: int) -> None:
+    """Everything above the legs."""
+    body, past, yaw = biped.body, _empty_past(), hips.yaw
     trunk.past_of(biped, track.curve, t, past)
-    pitch, roll = trunk.pitch_and_roll(biped, past, yaw)
+    pitch, roll = trunk.pitch_and_roll(biped, past, yaw, weight_at(track.footprints, t))
     angles = (_leg_angle(biped, pose, c, LEFT, yaw), _leg_angle(biped, pose, c, RIGHT, yaw))
-    apart = min(max(angles[0] - angles[1], -1.0), 1.0)
+    apart = np.tanh(angles[0] - angles[1])
     chest = yaw + body.chest_turn * apart
-    drop = body.pelvis_drop * tilt
     _turn(pose.body_rotation_wxyz, c, rotations.quaternion(yaw, pitch, roll))
-    _turn(pose.pelvis_rotation_wxyz, c, rotations.quaternion(yaw - body.pelvis_turn * apart, 0.4 * pitch, 0.4 * roll + drop))
+    _turn(pose.pelvis_rotation_wxyz, c, rotations.quaternion(yaw + hips.turn, 0.4 * pitch, hips.roll))
     _turn(pose.chest_rotation_wxyz, c, rotations.quaternion(chest, pitch, roll))
     look = trunk.gaze(biped, track.footprints, yaw, t)
     bob = trunk.head_offset(biped, track.footprints, past, yaw, t)

@@ -1,5 +1,7 @@
 """Posing the legs: feet that stand or swing, and what lies between them and the hips."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
@@ -11,16 +13,27 @@ from motion.track import foot
 from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit_borrowing, jit_inline
 
-FREE_REACH, FIRM_REACH = 0.93, 0.99
-"""Shares of its full length up to which a swinging leg goes freely: in the middle of its swing, and near the ends."""
+FREE_REACH, FIRM_REACH, LANDING_REACH, LEAVING_REACH = 0.93, 0.9985, 0.984, 0.989
+"""Shares of its full length up to which a swinging leg goes freely: in mid-swing, near the ends, and where a runner lands
+and leaves."""
+YIELDS = 0.7
+"""How much less than its full length a runner's leg is let come to, in what it may reach less: straight knees pop."""
 FREE_ENDS = 0.25
-"""Share of the swing, at either end, over which the first gives way to the second."""
+"""Share of the swing, at either end, over which the first gives way to the second: as far as a standing leg may reach."""
 KNEE_TURN = 0.25
 """Legs bend half way between body and toes, but turn no farther from the body than this [rad], so that knees keep apart."""
 CARRIED_FROM, CARRIED = 4.0, 5.5
 """Swing times, in pendulum times, from which on a foot is carried with the body, and from which on wholly."""
 CARRIED_ENDS, HANGS = 0.35, (0.3, 0.72)
 """Share of the swing, at either end, over which that sets in; where the ankle hangs, back and down from the hip, in legs."""
+
+
+class Hips(NamedTuple):
+    """How the body above the legs is turned [rad]."""
+
+    yaw: float  # the body's heading
+    turn: float  # of the pelvis against it (motion.track.pelvis)
+    roll: float  # its list
 
 
 @jit_borrowing
@@ -45,10 +58,12 @@ def _set(array: np.ndarray, c: int, leg: int, point: Triple) -> None:
 def _stand(biped: Dimensions, footprints: Footprints, n: int, t: float, pose: Pose, c: int, leg: int) -> float:
     """The foot on footprint n at time t, also where its next one is not known yet; returns its heading."""
     u = foot.stance_share(footprints, n, t)
-    pitch = foot.heel_off_angle(biped, footprints.roll[n, 1], u)
-    _set(pose.ball, c, leg, foot.along_sole(footprints, n, biped.foot.ball_forward, 0.0))
-    _set(pose.toe, c, leg, foot.along_sole(footprints, n, 0.5 * biped.foot.length, 0.0))
-    x, z = foot.about_ball(biped, -0.5 * biped.foot.length, 0.0, pitch)
+    up, half = foot.strike_pitch(footprints, n, u), 0.5 * biped.foot.length
+    x, z = foot.about_heel(biped, biped.foot.ball_forward, 0.0, up)
+    _set(pose.ball, c, leg, foot.along_sole(footprints, n, x, z))
+    x, z = foot.about_heel(biped, half, 0.0, up)
+    _set(pose.toe, c, leg, foot.along_sole(footprints, n, x, z))
+    x, z = foot.rolled(biped, footprints, n, u, -half, 0.0)
     _set(pose.heel, c, leg, foot.along_sole(footprints, n, x, z))
     _set(pose.ankle, c, leg, foot.stance_ankle(biped, footprints, n, u))
     return footprints.heading[n]
@@ -101,46 +116,54 @@ def _limited(length: float, free: float, full: float) -> float:
 
 
 @jit_borrowing
-def _leg_length(biped: Dimensions, length: float, s: float) -> float:
+def _flights(footprints: Footprints, last: int, following: int) -> tuple[float, float]:
+    """What a leg may reach less, as a share, where it leaves for a flight, and where it lands from one; 0 without a flight."""
+    contact, stance = footprints.contact_time, footprints.stance_time
+    leaves = contact[last] + stance[last] < contact[last + 1]
+    lands = contact[following - 1] + stance[following - 1] < contact[following]
+    return (FIRM_REACH - LEAVING_REACH if leaves else 0.0), (FIRM_REACH - LANDING_REACH if lands else 0.0)
+
+
+@jit_borrowing
+def _leg_length(biped: Dimensions, length: float, s: float, flies: tuple[float, float]) -> float:
     """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent."""
     full, shortest = biped.leg.max_length, biped.leg.min_length
     calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
     if length < shortest:
         return length + calm * (shortest - length)
-    near = _limited(length, FIRM_REACH * full, full)
+    less = flies[0] * swing.rising(1 - 2 * s) + flies[1] * swing.rising(2 * s - 1)
+    near = _limited(length, (FIRM_REACH - less) * full, (1 - YIELDS * less) * full)
     return near + calm * (_limited(length, FREE_REACH * full, full) - near)
 
 
 @jit_inline
-def _keep_in_reach(biped: Dimensions, hip: Triple, s: float, pose: Pose, c: int, leg: int) -> None:
+def _keep_in_reach(biped: Dimensions, hip: Triple, s: float, flies: tuple[float, float], pose: Pose, c: int, leg: int) -> None:
     """Draws a swinging foot along the line to its hip, so that its leg is never longer or more bent than it can be."""
     ankle = pose.ankle[c, leg]
     x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
     length = max(np.sqrt(x * x + y * y + z * z), 1e-6)
-    _move(pose, c, leg, _leg_length(biped, length, s) / length - 1, (x, y, z))
+    _move(pose, c, leg, _leg_length(biped, length, s, flies) / length - 1, (x, y, z))
 
 
 @jit_inline
-def _swing(
-    biped: Dimensions, footprints: Footprints, leg: int, yaw: float, t: float, pose: Pose, c: int
-) -> tuple[float, float]:
-    """A foot in the air; returns how far it has swung, 0 at either end to 1 in the middle, and its heading."""
+def _swing(biped: Dimensions, footprints: Footprints, leg: int, yaw: float, t: float, pose: Pose, c: int) -> float:
+    """A foot in the air; returns its heading."""
     last, following = footprints_at(footprints, leg, t)
     if following < 0:
-        return 0.0, _stand(biped, footprints, last, t, pose, c, leg)
+        return _stand(biped, footprints, last, t, pose, c, leg)
     if last < 0:
-        return 0.0, _stand(biped, footprints, following, t, pose, c, leg)
+        return _stand(biped, footprints, following, t, pose, c, leg)
     s, toes = _fly(biped, footprints, last, following, t, pose, c, leg)
     hip = (pose.hip[c, leg, 0], pose.hip[c, leg, 1], pose.hip[c, leg, 2])
     _carry(biped, hip, yaw, swing.swing_time(footprints, last, following), s, pose, c, leg)
-    _keep_in_reach(biped, hip, s, pose, c, leg)
-    return swing.bump(s), toes
+    _keep_in_reach(biped, hip, s, _flights(footprints, last, following), pose, c, leg)
+    return toes
 
 
 @jit_inline
-def pose_leg(biped: Dimensions, footprints: Footprints, n: int, leg: int, yaw: float, t: float, pose: Pose, c: int) -> float:
-    """Poses a leg that footprint n carries, -1 for none; returns how far it has swung, 0 standing to 1 in the middle."""
-    offset, swung = foot.hip_offset(biped, leg, yaw), 0.0
+def pose_leg(biped: Dimensions, footprints: Footprints, n: int, leg: int, body: Hips, t: float, pose: Pose, c: int) -> None:
+    """Poses a leg that footprint n carries, -1 for none."""
+    yaw, offset = body.yaw, foot.hip_offset(biped, leg, body.yaw + body.turn, body.roll)
     hip = (pose.com[c, 0] + offset[0], pose.com[c, 1] + offset[1], pose.com[c, 2] + offset[2])
     _set(pose.hip, c, leg, hip)
     pose.contact[c, leg] = n >= 0
@@ -150,10 +173,9 @@ def pose_leg(biped: Dimensions, footprints: Footprints, n: int, leg: int, yaw: f
         toes = _stand(biped, footprints, n, t, pose, c, leg)
     else:
         pose.point_of_support[c, leg] = np.nan
-        swung, toes = _swing(biped, footprints, leg, yaw, t, pose, c)
+        toes = _swing(biped, footprints, leg, yaw, t, pose, c)
     ahead = yaw + KNEE_TURN * np.tanh(0.5 * (toes - yaw) / KNEE_TURN)
     ankle = pose.ankle[c, leg]
     knee, hock = legs.joints(biped, hip, (ankle[0], ankle[1], ankle[2]), (np.cos(ahead), np.sin(ahead), 0.0))
     _set(pose.knee, c, leg, knee)
     _set(pose.hock, c, leg, hock)
-    return swung

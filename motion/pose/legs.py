@@ -12,14 +12,14 @@ from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from worlds.compiled.jit import jit_borrowing
 
-SOFT_FROM = 0.96
+SOFT_FROM = 0.99
 """Share of full extension from which on the knee resists: without this its angle changes ever faster and pops."""
 
 
 @jit_borrowing
 def soft_stretch(share: float) -> float:
     """Stretch of the links at d = share of their length: with r = 1 - SOFT_FROM they bend as for SOFT_FROM + r (1 - exp(-x)),
-    x = (share - SOFT_FROM) / r, which is never 1; at full extension they are 2 % longer."""
+    x = (share - SOFT_FROM) / r, which is never 1; at full extension they are 0.4 % longer."""
     if share <= SOFT_FROM:
         return 1.0
     room = 1 - SOFT_FROM

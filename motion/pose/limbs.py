@@ -1,6 +1,6 @@
 """Arms that swing against the legs, and a tail that lags behind the body: functions of the pose and the past."""
 
-from math import cos, sin
+from math import cos, exp, log, sin, tanh
 
 import numpy as np
 
@@ -17,8 +17,12 @@ TAIL = 6
 """Pieces of a tail."""
 RUNNERS_BEND = 1.15
 """Further bend of the elbows at a run [rad]."""
-OUTWARD = 0.12
-"""Arms hang this far outward [rad]."""
+OUTWARD, ELBOWS_OUT = 0.12, 0.25
+"""Arms hang this far outward, a runner's further [rad]."""
+BENDS, BENDS_WITHIN = 0.55, 0.15
+"""Bend of the elbow per swing forward; how gradually it begins [rad]."""
+RUNNERS_INWARD = 0.12
+"""How far a runner's hands point inward, in forearms: clear of the hips."""
 WHIP, FLAP = 0.22, 0.16
 """How far the tail swings sideways and up per sway, with g / 5 and g of acceleration [rad]."""
 
@@ -35,15 +39,16 @@ def arm(biped: Dimensions, chest: Axes, side: int, leg_angle: float, pace: float
         there = along(chest, shoulder[0], shoulder[1], shoulder[2])
         return there, there, there
     swing = body.arm_swing * leg_angle
-    running = min(max(2 * pace - 0.9, 0.0), 1.0)
-    bend = body.elbow_bend + running * RUNNERS_BEND + 0.45 * max(swing, 0.0)
-    out = side * sin(OUTWARD)
+    running = 0.5 + 0.5 * tanh(4 * (pace - 0.7))
+    forward = BENDS_WITHIN * log(1 + exp(swing / BENDS_WITHIN))  # as max(swing, 0), but smooth
+    bend = body.elbow_bend + running * RUNNERS_BEND + BENDS * forward
+    out = side * sin(OUTWARD + running * ELBOWS_OUT)
     elbow = (
         shoulder[0] + body.upper_arm * sin(swing),
         shoulder[1] + body.upper_arm * out,
         shoulder[2] - body.upper_arm * cos(OUTWARD) * cos(swing),
     )
-    inward = -side * 0.25 * running
+    inward = -side * RUNNERS_INWARD * running
     hand = (
         elbow[0] + body.forearm * sin(swing + bend),
         elbow[1] + body.forearm * inward,

@@ -7,22 +7,24 @@ import numpy as np
 from motion.characters.dimensions import Dimensions, empty_bipeds
 from motion.com import cost
 from motion.pose.body import pose_body
-from motion.pose.feet import pose_leg
+from motion.pose.feet import Hips, pose_leg
 from motion.pose.pose import Pose, empty_pose
-from motion.track import heading, phases
+from motion.track import foot, heading, phases
 from motion.track.curve import Curve, Track, evaluate
-from motion.track.footprints import LEFT, RIGHT, Footprints
+from motion.track.footprints import LEFT, Footprints
+from motion.track.pelvis import pelvis_at
 from worlds.compiled.jit import jit_borrowing, jit_inline
 from worlds.compiled.parts import Part, call, handle
 from worlds.compiled.tables import empty
 
 
 @jit_inline
-def _comfort_cost(biped: Dimensions, footprints: Footprints, n: int, pose: Pose, c: int, leg: int) -> float:
+def _comfort_cost(biped: Dimensions, footprints: Footprints, n: int, t: float, pose: Pose, c: int, leg: int) -> float:
     """Of a leg that footprint n carries (paper, section 2.4)."""
     x, y = pose.hip[c, leg, 0] - pose.ankle[c, leg, 0], pose.hip[c, leg, 1] - pose.ankle[c, leg, 1]
     z = pose.hip[c, leg, 2] - pose.ankle[c, leg, 2]
-    return biped.leg.comfort_weight * (np.sqrt(x * x + y * y + z * z) - footprints.nominal_length[n]) ** 2
+    nominal = foot.nominal_at(biped, footprints, n, foot.stance_share(footprints, n, t))
+    return biped.leg.comfort_weight * (np.sqrt(x * x + y * y + z * z) - nominal) ** 2
 
 
 class Posed(NamedTuple):
@@ -49,14 +51,15 @@ def pose_one(posed_at: int, pose_at: int) -> None:
     left, right = phases.support_at(footprints, 0, t)
     yaw = heading.body_heading(biped, footprints, t)
     pose.phase[c] = phases.phase_of(left, right)
-    pose.comfort_cost[c], tilt = 0.0, 0.0
+    turn, roll = pelvis_at(biped, footprints, t)
+    hips = Hips(yaw, turn, roll)
+    pose.comfort_cost[c] = 0.0
     for leg in range(2):  # a loop, so that the compiler makes the leg once
         n = left if leg == LEFT else right
-        swung = pose_leg(biped, footprints, n, leg, yaw, t, pose, c)
-        tilt += swung if leg == RIGHT else -swung
+        pose_leg(biped, footprints, n, leg, hips, t, pose, c)
         if n >= 0:
-            pose.comfort_cost[c] += _comfort_cost(biped, footprints, n, pose, c, leg)
-    pose_body(biped, track, yaw, tilt, t, pose, c)
+            pose.comfort_cost[c] += _comfort_cost(biped, footprints, n, t, pose, c, leg)
+    pose_body(biped, track, hips, t, pose, c)
     pose.physics_cost[c] = cost.physics_cost(com, acceleration, pose.point_of_support[c], pose.contact[c])
 
 

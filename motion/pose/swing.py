@@ -1,37 +1,49 @@
 """The swinging foot: a function of its two footprints, its lift and the share s of the swing that has passed (section 2.5).
 
-The ball goes along the line between the footprints by the quintic 10 x^3 - 15 x^4 + 6 x^5, at rest at both ends, and is raised
-by lift * bump(s). Over edges (`hold`) the foot rises before it goes forward and comes down after it has arrived. The pitch
-with which the foot left fades, its toes straighten a little sooner. Where the line would come too near to the other foot it
-bows outward: a left foot goes by on the left, a right foot on the right, as on the outside of a sharp turn. A foot that rolls
-from its heel comes in with the toes up, turned about the heel, and lays the sole down in the last STRIKE of the swing, so that
-it is flat, and the toe in place, at the contact.
+A foot leaves by rolling over its toes, and lands as it will roll on: position and velocity of all of its points are those of
+the stance before and after it (motion.track.foot). Turns are laid over one way:
+
+    way     the flat foot's, along the line between the footprints by 3 x^2 - 2 x^3, raised by lift * bump(s)
+    pitch   of the foot, heel up: from the angle and with the rate at which it left, to none at PITCH_WALK
+    toes    straighten within FLEX_FADE; until then the foot turns about their tip, so that they clear the ground
+    strike  toes up about the heel, from TOES_UP on, to the angle and rate with which the sole comes down after the contact
+
+At a run the way is later (x a power of s), and the pitch higher (KICK) and longer: the shank folds. Over edges (`hold`) the
+foot rises before it goes forward and comes down after it has arrived. Where the line would come too near to the other foot it
+bows outward: a left foot goes by on the left, a right foot on the right, as on the outside of a sharp turn.
 """
 
 from math import asin, cos, sin, sqrt
 from typing import NamedTuple
 
-from motion.arithmetic.gravity import pendulum_time
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from motion.track import foot
 from motion.track.footprints import LEFT, Footprints
 from worlds.compiled.jit import jit_borrowing, jit_inline
 
-HOLD, EDGE_HOLD = 0.04, 0.15
+HOLD, EDGE_HOLD = 0.0, 0.15
 """Share of the swing, at either end, in which the foot goes only up or down: on smooth ways, and over edges."""
-FLEX_FADE = 0.5
+FLEX_FADE = 0.4
 """Share of the swing in which the toes straighten."""
-PITCH_FADE = 0.6
+PITCH_WALK, PITCH_RUN = 0.75, 0.93
 """Share of the swing in which the foot becomes parallel to the ground again."""
+PITCH_STANCES = 2.5
+"""The same in times of the stance before, at most: who carries a foot for long lets it hang flat."""
+LATE_WALK, LATE_RUN = 1.07, 1.55
+"""How late a foot goes ahead: a power of the share of the swing."""
+KICK = 0.85
+"""How far a runner's shank folds the foot up behind, in angles with which it leaves."""
+ARRIVED = 0.96
+"""Share of the swing in which the foot comes to above its footprint."""
+TOSS, TOSS_ENDS = 0.16, 0.46
+"""Height of the foot early in a walker's swing, in the arc that its heel has risen by; until which share of the swing."""
 SIDEWAYS = 0.3
 """A swing that goes ahead by less than this share of its way passes the other foot on whichever side it is."""
 MOST_ROOM = 0.5
 """Largest bow as a share of the way."""
-QUICK, CALM = 0.6, 1.2
-"""Swing times, in pendulum times of the nominal leg, up to which a foot lands flat, and from which on its heel may strike."""
-TOES_UP, STRIKE = 0.45, 0.12
-"""Shares of the swing: from when on the toes rise for the heel strike, and how long before its end the sole comes down."""
+TOES_UP = 0.6
+"""Share of the swing from which on the toes rise for a landing on the heel."""
 
 
 class Sole(NamedTuple):
@@ -45,10 +57,11 @@ class Sole(NamedTuple):
 
 
 @jit_borrowing
-def progress(s: float, hold: float) -> float:
-    """Share of the way at share s of the swing: nothing for the first and last `hold`, smooth to the second derivative."""
-    s = min(max((s - hold) / (1 - 2 * hold), 0.0), 1.0)
-    return s * s * s * (10 - 15 * s + 6 * s * s)
+def progress(s: float, hold: float, run: float = 0.0) -> float:
+    """Share of the way at share s of the swing: none for the first and last `hold`, at rest at both ends; later at a `run`."""
+    x = min(max((s - hold) / (ARRIVED - 2 * hold), 0.0), 1.0)
+    x **= LATE_WALK + run * (LATE_RUN - LATE_WALK)
+    return x * x * (3 - 2 * x)
 
 
 @jit_borrowing
@@ -65,32 +78,53 @@ def fade(s: float, end: float) -> float:
 
 
 @jit_borrowing
+def rising(s: float) -> float:
+    """From 0 at 0, and before, to 1 at 1, smooth at both."""
+    x = min(max(s, 0.0), 1.0)
+    return x * x * (3 - 2 * x)
+
+
+@jit_borrowing
 def swing_time(footprints: Footprints, before: int, after: int) -> float:
     """How long the foot is in the air between two of its footprints [s]."""
     return footprints.contact_time[after] - footprints.contact_time[before] - footprints.stance_time[before]
 
 
 @jit_inline
-def toes_up(biped: Dimensions, footprints: Footprints, before: int, after: int, s: float) -> float:
-    """Pitch, toes up [rad], at share s of a swing: for a landing on the heel, in a swing with time for it."""
-    landing = biped.foot.heel_strike_angle * max(1 - 2 * footprints.roll[after, 0], 0.0)
-    if landing == 0.0:
+def toes_up(footprints: Footprints, before: int, after: int, s: float) -> float:
+    """Pitch, toes up about the heel [rad], at share s of a swing: a cubic from rest to the landing's angle and rate."""
+    if footprints.strike[after] == 0.0 or s <= TOES_UP:
         return 0.0
-    calm = (swing_time(footprints, before, after) / pendulum_time(biped.leg.nominal_length) - QUICK) / (CALM - QUICK)
-    rising = 1 - fade(max(s - TOES_UP, 0.0), 1 - STRIKE - TOES_UP)
-    return landing * (1 - fade(max(calm, 0.0), 1.0)) * rising * fade(max(s - 1 + STRIKE, 0.0), STRIKE)
+    span = 1 - TOES_UP
+    x, falling = (s - TOES_UP) / span, span * swing_time(footprints, before, after) * foot.strike_rate(footprints, after)
+    return footprints.strike[after] * x * x * (3 - 2 * x) + falling * x * x * (1 - x)
+
+
+@jit_inline
+def heel_up(biped: Dimensions, footprints: Footprints, before: int, after: int, s: float) -> float:
+    """Pitch, heel up about the ball [rad], at share s of a swing: a cubic from the leaving's angle and rate to rest."""
+    time, left_with = swing_time(footprints, before, after), foot.leaving_angle(biped, footprints, before)
+    run = foot.runs(footprints, before)
+    end = min(PITCH_WALK + run * (PITCH_RUN - PITCH_WALK), PITCH_STANCES * footprints.stance_time[before] / time)
+    if left_with == 0.0 or s >= end:
+        return 0.0
+    x = s / end
+    folded = left_with * (fade(x, 1.0) + KICK * run * bump(x))
+    return folded + end * time * foot.leaving_rate(biped, footprints, before) * x * (1 - x) * (1 - x)
 
 
 @jit_borrowing
-def share_at(gone: float, hold: float) -> float:
-    """Share s of the swing at which progress(s, hold) is about `gone`: by the inverse of 3 x^2 - 2 x^3, close to it."""
-    return hold + (1 - 2 * hold) * (0.5 - sin(asin(min(max(1 - 2 * gone, -1.0), 1.0)) / 3))
+def share_at(gone: float, hold: float, run: float) -> float:
+    """Share s of the swing at which progress(s, hold, run) is `gone`."""
+    x = 0.5 - sin(asin(min(max(1 - 2 * gone, -1.0), 1.0)) / 3)
+    return hold + (ARRIVED - 2 * hold) * max(x, 0.0) ** (1 / (LATE_WALK + run * (LATE_RUN - LATE_WALK)))
 
 
 @jit_borrowing
 def room_beside(biped: Dimensions) -> float:
-    """How far [m] a swinging foot's middle keeps from that of the other foot when it passes it: both shanks and half a sole."""
-    return 0.5 * biped.foot.width + 2 * biped.leg.shank_radius
+    """How far [m] a swinging foot's middle keeps from that of the other foot when it passes it: both shanks and
+    nearly a sole, as a bent leg leans inward."""
+    return 0.9 * biped.foot.width + 2 * biped.leg.shank_radius
 
 
 @jit_borrowing
@@ -118,8 +152,21 @@ def outward(
         side = 1.0 if to_left > 0 else -1.0
     lack = max(room_beside(biped) - side * to_left, 0.0)
     ends = min(1.0, 4 * u, 4 * (1 - u))
-    amount = side * min(lack * ends, MOST_ROOM * length) / max(bump(share_at(u, footprints.hold[after])), 0.3)
+    amount = (
+        side
+        * min(lack * ends, MOST_ROOM * length)
+        / max(bump(share_at(u, footprints.hold[after], foot.runs(footprints, before))), 0.3)
+    )
     return -amount * dy / length, amount * dx / length
+
+
+@jit_inline
+def _toss(biped: Dimensions, footprints: Footprints, before: int, s: float) -> float:
+    """How much higher [m] the foot goes early in its swing, thrown up by its leaving, before the toes pass near the ground."""
+    if s >= TOSS_ENDS:
+        return 0.0
+    rolled = max(2 * footprints.roll[before, 1] - 1, 0.0) * (1 - foot.runs(footprints, before))
+    return TOSS * rolled * biped.foot.heel_off_angle * biped.foot.length * bump(s / TOSS_ENDS)
 
 
 @jit_inline
@@ -127,7 +174,7 @@ def sole_at(biped: Dimensions, footprints: Footprints, before: int, after: int, 
     """Where the sole is at share s of the swing from footprint `before` to `after`."""
     start = foot.along_sole(footprints, before, biped.foot.ball_forward, 0.0)
     goal = foot.along_sole(footprints, after, biped.foot.ball_forward, 0.0)
-    gone = progress(s, footprints.hold[after])
+    gone = progress(s, footprints.hold[after], foot.runs(footprints, before))
     ox, oy = outward(biped, footprints, before, after, start, goal)
     rise = bump(s)
     ball = (
@@ -137,10 +184,10 @@ def sole_at(biped: Dimensions, footprints: Footprints, before: int, after: int, 
     )
     heading = footprints.heading[before] + gone * (footprints.heading[after] - footprints.heading[before])
     normal = _normal_between(footprints, before, after, gone)
-    up = toes_up(biped, footprints, before, after, s)
-    left_with = foot.leaving_angle(biped, footprints.roll[before, 1])
-    pitch = left_with * fade(s, PITCH_FADE) - up
-    return Sole(_about_heel(biped, ball, heading, normal, up), heading, normal, pitch, left_with * fade(s, FLEX_FADE))
+    pitch, up = heel_up(biped, footprints, before, after, s), toes_up(footprints, before, after, s)
+    flex = pitch * fade(s, FLEX_FADE)
+    ball = foot.on_sole(ball, (0.0, 0.0, 1.0), normal, _toss(biped, footprints, before, s), 0.0)
+    return Sole(_turned(biped, ball, heading, normal, pitch - flex, up), heading, normal, pitch - up, flex)
 
 
 @jit_inline
@@ -154,10 +201,11 @@ def _normal_between(footprints: Footprints, before: int, after: int, gone: float
 
 
 @jit_inline
-def _about_heel(biped: Dimensions, ball: Triple, heading: float, normal: Triple, up: float) -> Triple:
-    """The ball of a foot that is turned about its heel by `up` [rad], toes up."""
-    reach = 0.5 * biped.foot.length + biped.foot.ball_forward
-    return foot.on_sole(ball, foot.sole_axis(heading, normal), normal, reach * (cos(up) - 1), reach * sin(up))
+def _turned(biped: Dimensions, ball: Triple, heading: float, normal: Triple, toes: float, up: float) -> Triple:
+    """The ball of a foot whose toes point down by `toes` [rad] about their tip, and which is turned by `up` about its heel."""
+    tip, reach = 0.5 * biped.foot.length - biped.foot.ball_forward, 0.5 * biped.foot.length + biped.foot.ball_forward
+    forward, rise = tip * (1 - cos(toes)) + reach * (cos(up) - 1), tip * sin(toes) + reach * sin(up)
+    return foot.on_sole(ball, foot.sole_axis(heading, normal), normal, forward, rise)
 
 
 @jit_inline

@@ -1,13 +1,13 @@
 """The body above the legs (paper, section 2.5): trunk, pelvis, neck and head, as functions of time.
 
-Everything reads the committed curve and the footprints. Accelerations of the curve jump where phases change, so the body
-follows `trend`, the second difference of the com over a DELAY (the acceleration under a triangle of that width): it is
-continuous, and lags as flesh does. The trunk leans over the leg that carries it, into turns with the lateral trend, forward
-with speed, and nods with the vertical one. The pelvis turns with the legs and drops toward the swinging one; the chest
-turns against it; the head looks where the feet will go and takes part in the trunk's pitch and roll as little as it likes.
+Everything reads the committed curve and the footprints. The body follows `trend`, the second difference of the com over a DELAY
+(the acceleration under a triangle of that width): it lags as flesh does. The trunk leans over the leg that carries it (Winter
+1995), into turns with the lateral trend, forward with speed, and nods with the vertical one. The pelvis turns with the legs and
+drops toward the swinging one (motion.track.pelvis); the chest turns against it; the head looks where the feet will go and takes
+part in the trunk's pitch and roll as little as it likes.
 """
 
-from math import atan2, cos, sin, sqrt
+from math import atan2, cos, sin, sqrt, tanh
 
 import numpy as np
 
@@ -73,15 +73,14 @@ def pace(biped: Dimensions, past: np.ndarray, yaw: float) -> float:
 
 
 @jit_borrowing
-def pitch_and_roll(biped: Dimensions, past: np.ndarray, yaw: float) -> tuple[float, float]:
-    """(pitch, roll) [rad] of the trunk; pitch is positive nose down."""
+def pitch_and_roll(biped: Dimensions, past: np.ndarray, yaw: float, weight: float) -> tuple[float, float]:
+    """(pitch, roll) [rad] of the trunk; pitch is positive nose down. weight: over which leg it leans (pelvis.weight_at)."""
     body, c, s = biped.body, cos(yaw), sin(yaw)
     x, y, z = trend(biped, past, 0)
-    forward, left, up = c * x + s * y, c * y - s * x, min(max(z / GRAVITY, -1.0), 1.0)
-    nod = body.pitch_amplitude * (min(max(forward / 2.0, -1.0), 1.0) - 0.5 * up)
-    sway = body.roll_amplitude * min(max(left / 1.5, -1.0), 1.0)
-    lean = body.lean_speed * min(max(pace(biped, past, yaw), -0.5), 1.5)
-    return nod + lean, -sway - body.lean_gain * atan2(left, 2 * GRAVITY)
+    forward, left, up = c * x + s * y, c * y - s * x, tanh(z / GRAVITY)
+    nod = body.pitch_amplitude * (tanh(forward / 2.0) - 0.5 * up)
+    lean = body.lean_speed * 1.5 * tanh(pace(biped, past, yaw) / 1.5)
+    return nod + lean, -body.roll_amplitude * weight - body.lean_gain * atan2(left, 2 * GRAVITY)
 
 
 @jit_borrowing
@@ -108,4 +107,4 @@ def head_offset(biped: Dimensions, footprints: Footprints, past: np.ndarray, yaw
 def gaze(biped: Dimensions, footprints: Footprints, yaw: float, t: float) -> float:
     """Heading of the head [rad]: where the feet are going, before the body does."""
     ahead = heading.mean_heading(footprints, t, 0.4 * heading.window_length(biped))
-    return yaw + min(max(ahead - yaw, -LOOKS_ASIDE), LOOKS_ASIDE)
+    return yaw + LOOKS_ASIDE * tanh((ahead - yaw) / LOOKS_ASIDE)

@@ -144,7 +144,8 @@ def fill_bones(biped: Dimensions, pose: Pose, c: int, bones: Bones) -> None:
         bones.root[c, k] = pose.com[c, k]
     nothing = (1.0, 0.0, 0.0, 0.0)
     across = minus(_point(pose.hip, c, 0), _point(pose.hip, c, 1))
-    root = _turn(bones, c, ROOT, nothing, rotations.quaternion(atan2(-across[0], across[1]), 0.0, 0.0))
+    roll = asin(min(max(across[2] / norm(across), -1.0), 1.0))
+    root = _turn(bones, c, ROOT, nothing, rotations.quaternion(atan2(-across[0], across[1]), 0.0, roll))
     body = _turn(bones, c, BODY, root, _rotation(pose.body_rotation_wxyz, c))
     _turn(bones, c, PELVIS, root, _rotation(pose.pelvis_rotation_wxyz, c))
     chest = _turn(bones, c, SPINE, root, _rotation(pose.chest_rotation_wxyz, c))

@@ -100,6 +100,16 @@ def evaluate(curve: Curve, t: float, com: np.ndarray, velocity: np.ndarray, acce
 
 
 @jit_borrowing
+def end_acceleration(curve: Curve, out: np.ndarray) -> None:
+    """Acceleration where a curve of at least one segment ends, into out (3,)."""
+    i, control = len(curve.time) - 2, curve.control
+    w = acceleration_weights(1.0, curve.time[i + 1] - curve.time[i])
+    for axis in range(3):
+        before = w[0] * control[i, axis] + w[1] * control[i, 3 + axis]
+        out[axis] = before + w[2] * control[i + 1, axis] + w[3] * control[i + 1, 3 + axis]
+
+
+@jit_borrowing
 def up_to(curve: Curve, segments: int) -> Curve:
     """The first so many segments."""
     return part(curve, 0, segments + 1)

@@ -1,8 +1,9 @@
-"""The standing foot: where it presses, how it rolls, where its ankle is (paper, section 2.4).
+"""The standing foot: where it presses, how it rolls, where its ankle is, how long its leg likes to be (paper, section 2.4).
 
-The point of support moves linearly from heel to toe over the stance. In the last `heel_off_fraction` of it the foot
-pitches about the ball: the toe segment stays flat, so the toe does not move, while heel and ankle rise and go forward.
-All of it is a function of u, the share of the stance that has passed.
+The point of support moves linearly from heel to toe over the stance. A foot that lands on its heel turns about it until the
+sole is down (FLAT_BY). In the last `heel_off_fraction` of the stance it pitches about the ball: the toe segment stays flat, so
+the toe does not move, while heel and ankle rise and go forward. All of it is a function of u, the share of the stance that has
+passed, and as smooth as the swing before and after it (motion.pose.swing).
 """
 
 from math import cos, sin
@@ -13,18 +14,28 @@ from motion.characters.dimensions import Dimensions
 from motion.track.footprints import LEFT, Footprints
 from worlds.compiled.jit import jit_borrowing, jit_inline
 
+RUN_DUTY, WALK_DUTY = 0.4, 0.55
+"""Duty factors up to which a stride is a run, and from which on it is a walk."""
+WALKING_RATE, RUNNING_RATE, RUNNERS_LESS = 3.0, 1.4, 0.26
+"""Slope of the heel-off at its end, walking and running, and the share by which a runner's foot leaves less pitched."""
+FLAT_BY = 0.22
+"""Share of the stance by which a foot that has landed on its heel lies flat."""
+LOADING_ENDS, PUSH_BEGINS = 0.6, 0.75
+"""Shares of the stance: until when a leg gives to the load, and from when on it bends to leave."""
+
 
 @jit_borrowing
-def hip_offset(biped: Dimensions, leg: int, yaw: float) -> Triple:
-    """Hip relative to the com, in the world, for a body heading yaw [rad]."""
-    return hip_toward(biped, leg, cos(yaw), sin(yaw))
+def hip_offset(biped: Dimensions, leg: int, yaw: float, roll: float) -> Triple:
+    """Hip relative to the com, in the world, for a pelvis heading yaw, its left side up by roll [rad] (motion.track.pelvis)."""
+    return hip_toward(biped, leg, cos(yaw), sin(yaw), roll)
 
 
 @jit_borrowing
-def hip_toward(biped: Dimensions, leg: int, cosine: float, sine: float) -> Triple:
-    """hip_offset for a body heading of that cosine and sine."""
-    side = biped.leg.hip_side if leg == LEFT else -biped.leg.hip_side
-    return cosine * biped.leg.hip_forward - sine * side, sine * biped.leg.hip_forward + cosine * side, biped.leg.hip_up
+def hip_toward(biped: Dimensions, leg: int, cosine: float, sine: float, roll: float) -> Triple:
+    """hip_offset for a pelvis whose heading has that cosine and sine."""
+    wide, up, c, s = biped.leg.hip_side if leg == LEFT else -biped.leg.hip_side, biped.leg.hip_up, cos(roll), sin(roll)
+    forward, side = biped.leg.hip_forward, c * wide - s * up
+    return cosine * forward - sine * side, sine * forward + cosine * side, s * wide + c * up
 
 
 @jit_borrowing
@@ -73,40 +84,110 @@ def point_of_support(biped: Dimensions, footprints: Footprints, n: int, u: float
 
 
 @jit_borrowing
-def heel_off_angle(biped: Dimensions, roll_end: float, u: float) -> float:
-    """Pitch of the foot about its ball [rad] at share u: zero until heel-off, then smoothly up to leaving_angle."""
-    begin = 1 - biped.foot.heel_off_fraction
-    if u <= begin:
+def strike_pitch(footprints: Footprints, n: int, u: float) -> float:
+    """How far the toes are up [rad] at share u of the stance on footprint n: the sole comes down about the heel.
+
+    From `strike` at the contact, where it falls already, to none at FLAT_BY: (1 - x)^2 (1 + x).
+    """
+    if u >= FLAT_BY:
         return 0.0
-    s = (u - begin) / biped.foot.heel_off_fraction
-    return leaving_angle(biped, roll_end) * s * s * (3 - 2 * s)
+    x = u / FLAT_BY
+    return footprints.strike[n] * (1 - x) * (1 - x) * (1 + x)
 
 
 @jit_borrowing
-def leaving_angle(biped: Dimensions, roll_end: float) -> float:
-    """Pitch of the foot when it leaves: heel_off_angle off the toe, none off the middle or the heel."""
-    return biped.foot.heel_off_angle * max(2 * roll_end - 1, 0.0)
+def strike_rate(footprints: Footprints, n: int) -> float:
+    """How fast the sole comes down at the contact [rad/s]."""
+    return footprints.strike[n] / (FLAT_BY * footprints.stance_time[n])
+
+
+@jit_borrowing
+def runs(footprints: Footprints, n: int) -> float:
+    """How much of a run the stance on footprint n belongs to, by its duty factor: 0 walking, 1 running."""
+    duty = 0.5 * footprints.stance_time[n] / max(footprints.step_time[n], 1e-6)
+    x = min(max((WALK_DUTY - duty) / (WALK_DUTY - RUN_DUTY), 0.0), 1.0)
+    return x * x * (3 - 2 * x)
+
+
+@jit_borrowing
+def heel_off_angle(biped: Dimensions, footprints: Footprints, n: int, u: float) -> float:
+    """Pitch of the foot about its ball [rad] at share u: zero until heel-off, then up to leaving_angle, walking ever faster."""
+    begin = 1 - biped.foot.heel_off_fraction
+    if u <= begin:
+        return 0.0
+    x, rate = (u - begin) / biped.foot.heel_off_fraction, _end_rate(footprints, n)
+    return leaving_angle(biped, footprints, n) * x * x * (3 - rate + (rate - 2) * x)
+
+
+@jit_borrowing
+def _end_rate(footprints: Footprints, n: int) -> float:
+    """Slope of the heel-off at its end, as x^3 has 3: a runner's foot leaves before it has rolled so far, the knee folds it."""
+    return WALKING_RATE + runs(footprints, n) * (RUNNING_RATE - WALKING_RATE)
+
+
+@jit_borrowing
+def leaving_angle(biped: Dimensions, footprints: Footprints, n: int) -> float:
+    """Pitch of the foot when it leaves: heel_off_angle off the toe, less running, none off the middle or the heel."""
+    return biped.foot.heel_off_angle * max(2 * footprints.roll[n, 1] - 1, 0.0) * (1 - RUNNERS_LESS * runs(footprints, n))
+
+
+@jit_borrowing
+def leaving_rate(biped: Dimensions, footprints: Footprints, n: int) -> float:
+    """How fast the foot on footprint n pitches when it leaves [rad/s]."""
+    time = biped.foot.heel_off_fraction * footprints.stance_time[n]
+    return _end_rate(footprints, n) * leaving_angle(biped, footprints, n) / time
 
 
 @jit_borrowing
 def about_ball(biped: Dimensions, forward: float, up: float, pitch: float) -> tuple[float, float]:
     """Coordinates (forward of the middle, up) of a point of the foot pitched about the ball, heel rising."""
-    if pitch == 0.0:  # most of a stance
-        return forward, up
-    ball = biped.foot.ball_forward
-    x = forward - ball
-    c, s = cos(pitch), sin(pitch)
-    return ball + c * x + s * up, c * up - s * x
+    return _about(biped.foot.ball_forward, forward, up, pitch)
 
 
 @jit_borrowing
-def ankle_of(biped: Dimensions, roll_end: float, u: float) -> tuple[float, float]:
-    """Ankle (forward of the middle, up) of a foot that rolls to `roll_end`, at share u of its stance."""
-    return about_ball(biped, biped.foot.ankle_forward, biped.foot.ankle_height, heel_off_angle(biped, roll_end, u))
+def about_heel(biped: Dimensions, forward: float, up: float, pitch: float) -> tuple[float, float]:
+    """The same of a foot pitched about its heel, toes rising."""
+    return _about(-0.5 * biped.foot.length, forward, up, -pitch)
+
+
+@jit_borrowing
+def _about(pivot: float, forward: float, up: float, pitch: float) -> tuple[float, float]:
+    if pitch == 0.0:  # most of a stance
+        return forward, up
+    c, s, x = cos(pitch), sin(pitch), forward - pivot
+    return pivot + c * x + s * up, c * up - s * x
+
+
+@jit_borrowing
+def rolled(biped: Dimensions, footprints: Footprints, n: int, u: float, forward: float, up: float) -> tuple[float, float]:
+    """Coordinates (forward of the middle, up) of a point behind the ball, at share u of the stance on footprint n."""
+    toes_up = strike_pitch(footprints, n, u)
+    if toes_up != 0.0:
+        return about_heel(biped, forward, up, toes_up)
+    return about_ball(biped, forward, up, heel_off_angle(biped, footprints, n, u))
+
+
+@jit_borrowing
+def ankle_of(biped: Dimensions, footprints: Footprints, n: int, u: float) -> tuple[float, float]:
+    """Ankle (forward of the middle, up) of the foot on footprint n at share u of its stance."""
+    return rolled(biped, footprints, n, u, biped.foot.ankle_forward, biped.foot.ankle_height)
 
 
 @jit_borrowing
 def stance_ankle(biped: Dimensions, footprints: Footprints, n: int, u: float) -> Triple:
     """Ankle of the foot on footprint n at share u of its stance."""
-    forward, up = ankle_of(biped, footprints.roll[n, 1], u)
+    forward, up = ankle_of(biped, footprints, n, u)
     return along_sole(footprints, n, forward, up)
+
+
+@jit_borrowing
+def nominal_at(biped: Dimensions, footprints: Footprints, n: int, u: float) -> float:
+    """Comfortable virtual leg [m] over footprint n at share u of its stance.
+
+    As long as footprint n says when the leg is straightest; it gives by `loading` when it takes the load, and bends by
+    `push_off` when the heel leaves the ground (Winter 1991: the knee flexes twice in a stance).
+    """
+    v, w = u / LOADING_ENDS, (u - PUSH_BEGINS) / (1 - PUSH_BEGINS)
+    give = biped.leg.loading * 6.75 * v * (1 - v) * (1 - v) if v < 1 and not footprints.stands[n] else 0.0
+    push = biped.leg.push_off * max(2 * footprints.roll[n, 1] - 1, 0.0) * w * w if w > 0 else 0.0
+    return footprints.nominal_length[n] * (1 - give - push)

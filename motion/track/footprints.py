@@ -57,6 +57,7 @@ class Footprints(NamedTuple):
     facing: Numbers  # (n,) how far the body turns away from the feet over it [rad]
     lift: Numbers  # (n,) height of the swing that arrives here above the line between its ends [m]
     hold: Numbers  # (n,) share of that swing, at either end, in which the foot goes only up or down
+    strike: Numbers  # (n,) how far the toes are up when it lands on its heel [rad]
 
 
 class Foot(NamedTuple):

@@ -22,6 +22,8 @@ from worlds.world import World
 
 THERE, CONTENT = 0.5, 0.25
 """A walker is at its last stop within this share of its preferred step, and more for every step that others hindered."""
+TOGETHER = 0.2
+"""Who has arrived brings its feet to within this share of its preferred step of being beside each other."""
 ABEAM = 0.7
 """Whom others hinder has passed a stop on the way once the cosine between its direction and the leg to it is below this."""
 
@@ -96,6 +98,17 @@ def walk_on(
     return Onward(x + share * (on.x - x), y + share * (on.y - y), on.heading, on.course)
 
 
+@jit_borrowing
+def _arrive(round: Round, me: Me, middle: Place) -> Wish:
+    """At the last stop: the foot behind comes beside the other one, and then it stands."""
+    biped, older, newer = biped_of(round, me), me.feet.older, me.feet.newer
+    x, y = middle_beside(biped, older)
+    if older.side != newer.side and hypot(x - middle[0], y - middle[1]) > TOGETHER * biped.gait.preferred_step:
+        return stepping(older.side, beside(biped, older.side, middle, newer.heading), newer.heading, newer.heading, False)
+    still = standing(me, STAND_TIME)
+    return Wish(still.step, still.course, still.longest, True, True)
+
+
 def _next_step(round: Round, me: Me) -> Wish:
     """The next step to the stop that comes next; a stop that was come to counts as reached once a real step is planned."""
     biped, foot, plans = biped_of(round, me), me.feet.newer, round.plans
@@ -105,8 +118,7 @@ def _next_step(round: Round, me: Me) -> Wish:
         plans.reached[me.c] = reached
     there = is_there(round, me, reached, middle)
     if there and is_last_stop(plans, me.c, reached):
-        still = standing(me, STAND_TIME)
-        return Wish(still.step, still.course, still.longest, True, True)
+        return _arrive(round, me, middle)
     stop = plans.stops[me.c, stop_of(plans, me.c, reached + there)]
     on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, me.c)
     side = 1 - foot.side

@@ -24,7 +24,7 @@ class _Scene(Ground):
     stand_before: Pause = 0.4
     stand_after: Pause = 0.6
     support: Literal["roll", "middle", "toe"] = "roll"  # where a standing foot presses: heel to toe, or the paper's either-or
-    segments: Literal["phase", "step"] = "phase"  # of the com's curve: one per phase of support, or the paper's per step
+    segments: Literal["smooth", "phase", "step"] = "smooth"  # of the com's curve: with continuous forces, or one to each
     footprint: list[Footprint] = []
     path: Path | None = None
 
@@ -51,7 +51,7 @@ class Scene:
     stand_before: float = 0.4
     stand_after: float = 0.6
     support: str = "roll"
-    segments: str = "phase"
+    segments: str = "smooth"
     about: str = ""
     figure: str = ""
 

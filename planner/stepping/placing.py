@@ -3,11 +3,11 @@
 from math import cos, sin, sqrt
 from typing import Any
 
-from motion.arithmetic.gravity import froude_number
+from motion.arithmetic.gravity import froude_number, pendulum_time
 from motion.characters.dimensions import Dimensions
 from motion.pose import swing
+from motion.track import foot
 from motion.track.footprints import Footprints
-from planner.stepping import timing
 from worlds import queries
 from worlds.arrays import FLAT, SPIRAL_STAIRS, STAIRS, WorldArrays
 from worlds.compiled.jit import jit_borrowing
@@ -22,6 +22,10 @@ HIGH = 1.6
 """A lift above this many clearances has an edge to go over."""
 EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
+QUICK, CALM = 0.6, 1.2
+"""Swing times, in pendulum times of the nominal leg, up to which a foot lands flat, and from which on its heel may strike."""
+RUNNERS_STRIKE = 0.65
+"""Share by which the toes are less up when a runner lands."""
 Ground = tuple[float, float, float, float]
 """Height of the ground [m] and its normal."""
 
@@ -61,14 +65,36 @@ def forwardness(start: Any, goal: Any, heading: float) -> float:
 
 
 @jit_borrowing
+def lay_strike(biped: Dimensions, footprints: Footprints, n: int) -> None:
+    """Sets how far the toes are up when footprint n is landed on: on its heel, in a swing with time for it; runners hardly."""
+    before = _before(footprints, n)
+    footprints.strike[n] = 0.0
+    if footprints.stands[n] or footprints.side[before] != footprints.side[n]:
+        return
+    time = swing.swing_time(footprints, before, n)
+    calm = (time / pendulum_time(biped.leg.nominal_length) - QUICK) / (CALM - QUICK)
+    angle = biped.foot.heel_strike_angle * max(1 - 2 * footprints.roll[n, 0], 0.0)
+    running = 1 - RUNNERS_STRIKE * foot.runs(footprints, before)
+    footprints.strike[n] = angle * running * (1 - swing.fade(max(calm, 0.0), 1.0))
+
+
+@jit_borrowing
+def _before(footprints: Footprints, n: int) -> int:
+    """The footprint that the foot of footprint n leaves; 0 where none is known."""
+    before = n - 1
+    while before > 0 and footprints.side[before] != footprints.side[n]:
+        before -= 1
+    return before
+
+
+@jit_borrowing
 def lay_swing(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: int) -> None:
     """Sets lift and hold of the swing that arrives at footprint n, after the ground between: over edges the foot goes up first.
 
     Smooth ways go with little hold; where that needs a high lift, as on stairs, more hold needs less.
     """
-    before = n - 1
-    while before > 0 and footprints.side[before] != footprints.side[n]:
-        before -= 1
+    before = _before(footprints, n)
+    lay_strike(biped, footprints, n)
     footprints.hold[n] = swing.HOLD
     footprints.lift[n] = _lift(biped, world, footprints, before, n)
     if footprints.lift[n] > HIGH * biped.gait.clearance:
@@ -77,17 +103,16 @@ def lay_swing(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: 
         footprints.lift[n] = _lift(biped, world, footprints, before, n)
         if footprints.lift[n] > 0.9 * smooth:
             footprints.hold[n], footprints.lift[n] = swing.HOLD, smooth
-    footprints.lift[n] += biped.gait.run_lift * _runs(biped, footprints, before, n)
+    footprints.lift[n] += biped.gait.run_lift * foot.runs(footprints, before) * _pace(biped, footprints, before, n)
 
 
 @jit_borrowing
-def _runs(biped: Dimensions, footprints: Footprints, before: int, after: int) -> float:
-    """How much of a run the stride between two footprints is: 0 at Froude number RUNS_FROM or less, 1 at 1 or more."""
+def _pace(biped: Dimensions, footprints: Footprints, before: int, after: int) -> float:
+    """Froude number of the stride between two footprints, at most 1."""
     p, q = footprints.position[before], footprints.position[after]
     length = sqrt((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2)
     time = footprints.contact_time[after] - footprints.contact_time[before]
-    froude = froude_number(length, time, biped.timing.hip_height)
-    return min(max((froude - timing.RUNS_FROM) / (1 - timing.RUNS_FROM), 0.0), 1.0)
+    return min(froude_number(length, time, biped.timing.hip_height), 1.0)
 
 
 @jit_borrowing

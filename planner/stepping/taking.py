@@ -8,7 +8,7 @@ from motion.characters.dimensions import Dimensions
 from motion.track.footprints import Footprints, Step, place, rise, stand_on, step_length, step_onto
 from planner.round.round import Wish
 from planner.stepping import timing
-from planner.stepping.placing import EDGE, forwardness, lay_sole
+from planner.stepping.placing import EDGE, forwardness, lay_sole, lay_strike
 from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
@@ -47,6 +47,7 @@ def take_step(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: 
     _set_timing(biped, footprints, n, time, stance)
     footprints.nominal_length[n] *= step.crouch
     footprints.facing[n] = step.facing
+    lay_strike(biped, footprints, n)
 
 
 @jit_borrowing
@@ -69,10 +70,20 @@ def _timing(biped: Dimensions, footprints: Footprints, n: int, wish: Wish) -> tu
         return _as_asked(asked, asked.stands, asked.stands + START_OVERLAP * timing.hip_pendulum(biped))
     turn = abs(footprints.heading[n] - footprints.heading[n - 1])
     hop = asked.side == footprints.side[n - 1]
-    step, stance = timing.step_timing(biped, step_length(footprints, n), rise(footprints, n), turn, hop, wish.longest)
+    length, before = step_length(footprints, n), _speed_before(footprints, n)
+    running = before > 0 and timing.is_running(biped, step_length(footprints, n - 1), footprints.step_time[n - 2])
+    step, stance = timing.step_timing(biped, length, rise(footprints, n), turn, hop, wish.longest, running, before)
     overlap = footprints.contact_time[n - 2] + footprints.stance_time[n - 2] - footprints.contact_time[n - 1]
     longer = max(timing.least_step_time(biped, overlap) - step, 0.0)
     return _as_asked(asked, step + longer, stance + longer)
+
+
+@jit_borrowing
+def _speed_before(footprints: Footprints, n: int) -> float:
+    """Speed [m/s] of the step before, to footprint n - 1; 0 where one stood."""
+    if n < 3 or footprints.stands[n - 1]:
+        return 0.0
+    return step_length(footprints, n - 1) / footprints.step_time[n - 2]
 
 
 @jit_borrowing

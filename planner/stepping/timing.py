@@ -9,7 +9,7 @@ Fr = 0.5; stance time a = 2 beta b.
 A step longer than the character's leap_length is a leap: its flight is ballistic, t = sqrt(2 d tan(alpha) / g).
 """
 
-from math import exp, sqrt, tan
+from math import exp, inf, sqrt, tan
 
 from motion.arithmetic.gravity import GRAVITY, froude_number, pendulum_time
 from motion.characters.dimensions import Dimensions
@@ -19,6 +19,12 @@ from worlds.compiled.jit import jit_borrowing
 RUNS_FROM = 0.5
 """Froude number at which walking gives way to running."""
 RUNNING_DUTY = 0.344
+RUN_POWER = 1.265
+"""Speed of a run grows with this power of the step."""
+BREAKS_INTO, FAST_WALK = 0.62, 0.45
+"""Share of its speed from which one breaks into a run; Froude number of the fastest walk till then."""
+RUNNERS_LEAP = 1.45
+"""Who runs leaps only beyond so many leap lengths."""
 SHORTEST_STEP = 0.75
 """Step time of a walk in pendulum times of the hip's height: shorter is scurrying."""
 HURRIED = 1.3
@@ -29,6 +35,8 @@ PUSH, LEAST_PUSH, COVER = 0.9, 0.5, 1.3
 """Stance before a leap: longest and shortest, in pendulum times, and in times that the leg's reach is crossed at its speed."""
 DESCENT_CROUCH = 0.25
 """Share by which the nominal leg is shorter for a step one hip height down: legs bend to take it."""
+UPRIGHT = 0.25
+"""Froude number up to which one walks on straight legs."""
 SNAP = 0.02
 """Overlaps and flights shorter than this [s] become none: a sliver of a phase is not to be seen."""
 
@@ -46,13 +54,39 @@ def speed(length: float, hip_height: float) -> float:
 
 
 @jit_borrowing
+def pace_of(biped: Dimensions, length: float) -> float:
+    """Speed [m/s] of a character's steps of this length: by Alexander's law, and running by its own, if it has one.
+
+    People run at v / sqrt(g h) = run_speed (s / h)^1.265: 2.5, 3.5 and 4.5 m/s at 0.93, 1.23 and 1.48 m (Fukuchi et al. 2017).
+    """
+    law = biped.timing
+    walking, unit = speed(length, law.hip_height), sqrt(GRAVITY * law.hip_height)
+    if law.run_speed == 0:
+        return walking
+    share = _running(walking * walking / (unit * unit), law.gait_smoothness)
+    return walking + share * (law.run_speed * (length / law.hip_height) ** RUN_POWER * unit - walking)
+
+
+@jit_borrowing
+def _running(froude: float, smoothness: float) -> float:
+    """0 walking, 1 running; smoothness 0 changes abruptly, 1 over a wide range."""
+    width = 0.02 + 0.25 * smoothness
+    return 1 / (1 + exp(-min(max((froude - RUNS_FROM) / width * 4, -50.0), 50.0)))
+
+
+@jit_borrowing
+def is_running(biped: Dimensions, length: float, time: float) -> bool:
+    """Whether a step of this length [m] in this time [s] was one of a run: not a walk, and not a leap, which is slower."""
+    froude = froude_number(2 * length, 2 * time, biped.timing.hip_height)
+    return froude > RUNS_FROM and length > 0.85 * time * pace_of(biped, length)
+
+
+@jit_borrowing
 def duty_factor(froude: float, smoothness: float, slowest: float) -> float:
     """Share of the stride that a foot stands; smoothness 0 changes to the run abruptly, 1 over a wide range; slowest: the
     share at the slowest walk."""
     walking = max(slowest - 0.104 * sqrt(froude), RUNNING_DUTY)
-    width = 0.02 + 0.25 * smoothness
-    running = 1 / (1 + exp(-min(max((froude - RUNS_FROM) / width * 4, -50.0), 50.0)))
-    return walking + running * (RUNNING_DUTY - walking)
+    return walking + _running(froude, smoothness) * (RUNNING_DUTY - walking)
 
 
 @jit_borrowing
@@ -60,7 +94,8 @@ def nominal_length(biped: Dimensions, length: float, step_time: float, rise: flo
     """Comfortable virtual leg [m] at a step of this length and rise [m] in this time [s]: shorter the faster, and downhill."""
     height = biped.timing.hip_height
     froude = froude_number(length, step_time, height)
-    bent = 1 - biped.gait.run_crouch * min(froude, 1.0) - DESCENT_CROUCH * max(-rise, 0.0) / height
+    faster = min(max((froude - UPRIGHT) / (1 - UPRIGHT), 0.0), 1.0)
+    bent = 1 - biped.gait.run_crouch * faster - DESCENT_CROUCH * max(-rise, 0.0) / height
     return biped.leg.nominal_length * bent
 
 
@@ -79,18 +114,28 @@ def _snap(step: float, stance: float) -> float:
 
 @jit_borrowing
 def step_timing(
-    biped: Dimensions, length: float, rise: float, turn: float, same_side: bool, longest: float = UNHURRIED
+    biped: Dimensions,
+    length: float,
+    rise: float,
+    turn: float,
+    same_side: bool,
+    longest: float = UNHURRIED,
+    running: bool = False,
+    before: float = inf,
 ) -> tuple[float, float]:
     """(step time, stance time) [s] of the footprint that a step leaves.
 
     length [m] horizontal, rise [m], turn [rad] >= 0; a hop on the same side is a leap of any length. longest: step time of a
-    walk, in pendulum times.
+    walk, in pendulum times. running: who runs goes on running, and leaps only from further
+    on. before: speed of the step before [m/s]; from a walk nobody breaks into a run at once.
     """
     law, unit = biped.timing, hip_pendulum(biped)
     slower = 1 + law.turn_slowdown * turn + law.rise_slowdown * abs(rise) / law.hip_height
-    if length > biped.reach.leap_length or same_side:
+    if length > (RUNNERS_LEAP if running else 1.0) * biped.reach.leap_length or same_side:
         return _leap(biped, length, rise, slower)
-    v = speed(max(length, 1e-3), law.hip_height)
+    v = pace_of(biped, max(length, 1e-3))
+    if before < BREAKS_INTO * v:  # too slow to break into a run: a fast walk
+        v = min(v, max(sqrt(FAST_WALK * GRAVITY * law.hip_height), before / BREAKS_INTO))
     step = min(max(length / v, SHORTEST_STEP * unit), longest * unit) * slower
     froude = froude_number(length, step, law.hip_height)
     return step, _snap(step, 2 * duty_factor(froude, law.gait_smoothness, law.walking_duty) * step)

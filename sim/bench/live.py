@@ -15,7 +15,7 @@ from motion.com.problem import total_cost
 from motion.track.curve import Curve
 from motion.track.footprints import Footprints
 from planner.modes.wander import Wander
-from sim.rows.crowd import TENTATIVE
+from sim.rows.crowd import TENTATIVE, WINDOW
 from sim.stage.simulation import Simulation
 from worlds.compiled.jit import jit, jit_borrowing
 from worlds.compiled.tables import copied, empty, picked
@@ -30,8 +30,7 @@ class Window(NamedTuple):
 
     biped: Dimensions
     footprints: Footprints
-    begin: float
-    start: np.ndarray  # (6,)
+    committed: Curve  # up to where it begins
     last: Curve  # what the last window had found
 
 
@@ -42,34 +41,35 @@ def wander_windows(character: str = "human", seed: int = 1) -> tuple[Simulation,
     pieces, windows = [sim.curve(0)], []
     while sim.crowd.number[0] < STEPS:
         last = copied(picked(sim.crowd.window, (0, slice(0, int(sim.crowd.points[0])))))
-        begin, start = float(pieces[-1].time[-1]), pieces[-1].control[-1]
+        committed = sim.curve(0)
+        begin = float(committed.time[-1])
         sim.tick()
         curve = sim.curve(0)
         if curve.time[-1] <= begin:
             continue
         if sim.crowd.number[0] > 4:
-            windows.append(_window(sim, begin, start, last))
+            windows.append(_window(sim, committed, last))
         pieces.append(picked(curve, curve.time > begin + 1e-9))
     return sim, Curve(*(np.concatenate(columns) for columns in zip(*pieces, strict=True))), windows
 
 
-def _window(sim: Simulation, begin: float, start: np.ndarray, last: Curve) -> Window:
+def _window(sim: Simulation, committed: Curve, last: Curve) -> Window:
     """The window that the tick just solved."""
     count = int(sim.crowd.real[0]) + TENTATIVE
     footprints = copied(picked(sim.crowd.footprints, (0, slice(0, count))))
-    return Window(sim.bipeds[0], footprints, begin, start, last)
+    return Window(sim.bipeds[0], footprints, committed, last)
 
 
 def solve(one: Window, effort: Effort) -> tuple[Curve, float, int]:
     """(curve, E, iterations) of a window from its own warm start."""
     room = _room(one)
-    points, solved = window.optimise_window(one.biped, one.footprints, one.begin, one.start, room, len(one.last.time), effort)
+    points, solved = window.optimise_window(one.biped, one.footprints, one.committed, room, len(one.last.time), effort)
     return picked(room, slice(0, points)), solved.cost, solved.iterations
 
 
 def _room(one: Window) -> Curve:
     """A curve with rows for all that there can be, which begins with the last window's."""
-    room = empty(Curve, 2 * len(one.footprints.side) + 3)
+    room = empty(Curve, WINDOW)
     for column, values in zip(room, one.last, strict=True):
         column[: len(values)] = values
     return room
@@ -91,9 +91,9 @@ def over_tight(windows: list[Window], effort: Effort) -> float:
     live, tight = 0.0, 0.0
     for one in windows:
         control = np.ascontiguousarray(solve(one, effort)[0].control)
-        problem, _ = window.lay_window(one.biped, one.footprints, one.begin)
+        problem, _ = window.lay_window(one.biped, one.footprints, one.committed.time[-1])
         again = np.zeros_like(control)
-        window.begin_window(one.footprints, problem, again, one.start, one.last)
+        window.begin_window(one.biped, one.footprints, problem, again, one.committed, one.last)
         live += total_cost(problem, control)
         tight += min(newton.minimise(problem, x, newton.TIGHT)[0] for x in (control, again))
     return live / tight
@@ -113,7 +113,7 @@ def _solve_often(times: int, one: Window, room: Curve, effort: Effort) -> None:
     kept = len(one.last.time)
     for _ in range(times):
         _copy(one.last, room)
-        window.optimise_window(one.biped, one.footprints, one.begin, one.start, room, kept, effort)
+        window.optimise_window(one.biped, one.footprints, one.committed, room, kept, effort)
 
 
 def over_global(sim: Simulation, curve: Curve) -> float:

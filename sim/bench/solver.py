@@ -7,7 +7,9 @@ import numpy as np
 
 from motion.com import greedy, newton
 from motion.com.equations import assemble, empty_equations
-from motion.com.problem import Problem, straight_guess, total_cost
+from motion.com.guess import straight_guess
+from motion.com.problem import Problem, total_cost
+from motion.track.basis import basis_of, coefficients_of, control_of
 from sim.bench import ipopt
 from sim.bench.tracks import TRACKS, twelve_steps
 
@@ -53,11 +55,15 @@ def _lbfgs(problem: Problem, x: np.ndarray) -> float:
         from scipy.optimize import minimize
     except ImportError:
         return float("nan")
-    equations = empty_equations(len(problem.time) - 1)
+    basis = basis_of(problem.time, problem.smooth)
+    start = coefficients_of(basis, problem.time, x, problem.bend)
+    equations = empty_equations(len(start))
 
     def smooth(flat: np.ndarray) -> tuple[float, np.ndarray]:
-        return assemble(problem, flat.reshape(-1, 6), SMOOTHING, equations), equations.gradient.ravel().copy()
+        e = assemble(problem, basis, flat.reshape(-1, 3), SMOOTHING, equations)
+        return e, equations.gradient[: flat.size].copy()
 
     options = {"maxiter": 2000, "maxfun": 3000}
-    found = minimize(smooth, x.ravel(), jac=True, method="L-BFGS-B", options=options)
-    return total_cost(problem, found.x.reshape(-1, 6))
+    found = minimize(smooth, start.ravel(), jac=True, method="L-BFGS-B", options=options)
+    control_of(basis, problem.time, found.x.reshape(-1, 3), x)
+    return total_cost(problem, x)

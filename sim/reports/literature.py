@@ -12,6 +12,7 @@ from motion.track.footprints import LEFT, RIGHT, SIDES
 from planner.script.footprint import Footprint
 from planner.script.scene import Scene
 from sim.files.recording import Recorder
+from sim.reports.cycles import ANGLES, Cycle, at, compared, cycle
 from sim.reports.measure import measure
 from sim.reports.timings import run_from
 from sim.stage.performance import Performance
@@ -21,7 +22,9 @@ WALK, RUN = 0.7, 1.04
 """Steps [m] of the walk and of the run."""
 STEADY, SETTLING = 24, 6
 """Steps of that length, and how many of them at either end are not looked at."""
-SPEED_UP = {WALK: (0.4, 0.6), RUN: (0.5, 0.8, 0.95)}
+RUNS = {0.93: 2.5, 1.23: 3.5, 1.48: 4.5}
+"""Runners' steps [m] and speeds [m/s] (Fukuchi et al. 2017)."""
+SPEED_UP = {WALK: (0.4, 0.6), RUN: (0.5, 0.8, 0.95), 0.93: (0.5, 0.8), 1.23: (0.5, 0.8, 1.0), 1.48: (0.5, 0.8, 1.0, 1.2)}
 
 
 class Row(NamedTuple):
@@ -86,7 +89,52 @@ def compare() -> list[Row]:
         Row("run: bob", "cm", 100 * run["bob"], 6.0, 11.0),
         Row("run: height at mid-stance, 0 lowest", "", run["height_at_midstance"], 0.0, 0.2),
         Row("Froude number where walking changes to running", "", change["froude"] if change else float("inf"), 0.4, 0.6),
+        *curve_rows(),
     ]
+
+
+def strides() -> dict[str, Cycle]:
+    """A steady stride of the walk and of the run."""
+    return {name: steady_stride(step) for name, step in (("walk", WALK), ("run", RUN))}
+
+
+def steady_stride(step: float) -> Cycle:
+    """A stride in the middle of steady steps of that length [m]."""
+    show, (first, last) = Performance(straight(step)), _looked_at(step)
+    n = (first + last) // 2
+    return cycle(show, n + (show.motion.footprints.side[n] != LEFT))
+
+
+def curve_rows() -> list[Row]:
+    """Key figures of the strides, beside those of people (Fukuchi et al. 2018; Winter 1991; Nilsson and Thorstensson 1989)."""
+    walk, run = strides().values()
+    knee, ankle, percent = walk.angles["knee_flexion"], walk.angles["ankle_dorsiflexion"], walk.percent
+    middle, leaving = (percent >= 20) & (percent <= 50), (percent >= 60) & (percent <= 66)
+    peaks = [(f"run, {step} m steps: speed", steady_stride(step).speed, speed) for step, speed in RUNS.items()]
+    return [
+        Row("walk: knee, straightest in stance", "deg", float(knee[middle].min()), 0.0, 10.0),
+        Row("walk: knee, peak in swing", "deg", float(knee.max()), 57.0, 68.0),
+        Row("walk: when, of the stride", "%", float(percent[knee.argmax()]), 70.0, 75.0),
+        Row("walk: ankle, push-off", "deg", float(ankle[leaving].min()), -30.0, -12.0),
+        Row("walk: force at 14 % of the stride", "BW", at(walk, walk.force, 14), 1.0, 1.25),
+        Row("walk: force at 29 %", "BW", at(walk, walk.force, 29), 0.65, 0.85),
+        Row("walk: force at 47 %", "BW", at(walk, walk.force, 47), 1.0, 1.25),
+        Row("run: peak force", "BW", float(run.force.max()), 2.0, 2.9),
+        *(Row(what, "m/s", value, 0.9 * speed, 1.1 * speed) for what, value, speed in peaks),
+    ]
+
+
+def compare_with(people: dict) -> list[Row]:
+    """Shapes of the strides' curves beside those of people (sim.reports.cycles.people_of)."""
+    rows = []
+    for gait, ours in strides().items():
+        for quantity in ANGLES:
+            if (gait, quantity) in people:
+                apart, alike = compared(ours, quantity, people[gait, quantity])
+                name = f"{gait}: {quantity.replace('_', ' ')}"
+                rows.append(Row(f"{name}, rms difference", "deg", apart, 0.0, 6.0 if gait == "walk" else 8.0))
+                rows.append(Row(f"{name}, correlation", "", alike, 0.9, 1.0))
+    return rows
 
 
 def as_dict(rows: list[Row]) -> dict:

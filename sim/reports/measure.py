@@ -147,7 +147,7 @@ def _feet(a: dict, footprints: Footprints, time: np.ndarray, dimensions: dict, g
     horizontal, total = quality.skate(sole, down, stands)
     lowest = quality.swing_clearance(height.min(axis=2), a["contact"])
     return {
-        "stance_slide": quality.stance_slide(a["toe"], a["contact"]),
+        "stance_slide": quality.stance_slide(sole, down),
         "skate_horizontal": horizontal,
         "skate": total,
         "footprint_error": quality.footprint_error(sole, down, stands, places),

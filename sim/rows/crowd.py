@@ -23,10 +23,11 @@ REAL = 8
 """Footprints kept: the newest and its history, enough for the body heading's average and for looking a step back."""
 TENTATIVE = 3
 """Footprints beyond the newest, known only to the window."""
-CURVE = 14
+CURVE = 30
 """Committed segments kept."""
 _ROWS = REAL + TENTATIVE
-_WINDOW = 2 * _ROWS + 2
+WINDOW = 38
+"""Control points of a window, at most: four steps of three phases, three pieces each."""
 
 
 class Crowd(NamedTuple):
@@ -41,7 +42,7 @@ class Crowd(NamedTuple):
     segments: np.ndarray  # (C,) committed segments in the row
     committed: Curve  # (C, CURVE + 1)
     points: np.ndarray  # (C,) control points of the last window
-    window: Curve  # (C, _WINDOW)
+    window: Curve  # (C, WINDOW)
     window_cost: Annotated[np.ndarray, Column(shape=(2,))]  # (C, 2) E of the last window and its iterations
     intents: Intents
 
@@ -59,7 +60,7 @@ def empty_crowd(kind: np.ndarray, rows: int = _ROWS, segments: int = CURVE) -> C
         segments=np.zeros(c, np.int64),
         committed=empty(Curve, c, segments + 1),
         points=np.zeros(c, np.int64),
-        window=empty(Curve, c, _WINDOW),
+        window=empty(Curve, c, WINDOW),
         window_cost=np.zeros((c, 2)),
         intents=empty(Intents, c),
     )

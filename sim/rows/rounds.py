@@ -21,7 +21,7 @@ from planner.round.round import Me, Round, Wish, standing
 from planner.stepping import random
 from planner.stepping.placing import lay_swing
 from planner.stepping.taking import take_step
-from sim.rows.crowd import REAL, TENTATIVE, Crowd, commit, empty_crowd, footprints_of, horizon, shift
+from sim.rows.crowd import REAL, TENTATIVE, Crowd, commit, committed_of, empty_crowd, footprints_of, horizon, shift
 from sim.rows.posing import SHARE, WORKERS, fetch_row
 from worlds.compiled.jit import jit, jit_borrowing, jit_parallel
 from worlds.compiled.parts import Part, call, call_three, fetch, handle, take
@@ -109,11 +109,10 @@ def optimise_step(address: int, c: int) -> None:
     """Solves character c's window over the real and tentative footprints and commits step n - 1 (paper, section 4.2)."""
     work = open_work(address)
     crowd = work.crowd
-    n, end = crowd.real[c] - 1, crowd.segments[c]
+    n = crowd.real[c] - 1
     footprints, window = footprints_of(crowd, c, n + TENTATIVE + 1), row(crowd.window, c)
     points, solved = optimise_window(
-        work.round.bipeds[crowd.kind[c]], footprints, crowd.committed.time[c, end], crowd.committed.control[c, end], window,
-        crowd.points[c], work.effort,
+        work.round.bipeds[crowd.kind[c]], footprints, committed_of(crowd, c), window, crowd.points[c], work.effort,
     )  # fmt: skip
     crowd.points[c] = points
     crowd.window_cost[c, 0], crowd.window_cost[c, 1] = solved.cost, solved.iterations

@@ -4,7 +4,6 @@ import numpy as np
 
 from motion.characters.character import Character, load_character
 from motion.com import newton, window
-from motion.com.laying import Layout
 from motion.motion import Motion, solve
 from planner.script.laying import laid
 from planner.script.scene import Scene
@@ -25,7 +24,7 @@ class Performance(Cast):
         )
         self.scene, self.room = scene, len(footprints.side)
         end = float(footprints.contact_time[-1]) + scene.stand_after
-        layout = Layout(window.SCENE.samples, scene.segments == "step")
+        layout = window.LAYOUTS[scene.segments]
         self.motion = solve(footprints, who, end, layout, effort)
         super().__init__(scene.world, [who], 0, tick_rate, rows=self.room, segments=len(self.motion.curve.time))
         self._show(self.motion)

@@ -5,8 +5,9 @@ import pytest
 
 from motion.com import cost
 from motion.com.equations import assemble, empty_equations
-from motion.com.problem import total_cost
+from motion.com.problem import total_cost, with_effort
 from motion.track import curve
+from motion.track.basis import basis_of, coefficients_of, control_of
 from motion.track.curve import Curve
 from sim.bench.tracks import twelve_steps
 from tests import reference
@@ -86,19 +87,44 @@ def test_model_is_the_projector_on_what_the_legs_cannot_give(standing):
         np.testing.assert_allclose(m, expected, atol=1e-9 / r)
 
 
-def test_track_gradient_agrees_with_finite_differences():
-    problem = twelve_steps()
-    rng = np.random.default_rng(3)
-    control = wobbly(problem, rng)
-    equations = empty_equations(12)
-    assemble(problem, control, 1e-9, equations)
-    for _ in range(40):
-        i, k = rng.integers(13), rng.integers(6)
-        up, down = control.copy(), control.copy()
-        up[i, k] += 1e-6
-        down[i, k] -= 1e-6
-        numeric = (total_cost(problem, up) - total_cost(problem, down)) / 2e-6
-        assert equations.gradient[i, k] == pytest.approx(numeric, rel=1e-5, abs=1e-5)
+@pytest.mark.parametrize("smooth", [False, True])
+def test_track_gradient_agrees_with_finite_differences(smooth):
+    problem = with_effort(twelve_steps()._replace(smooth=smooth), 12.0, 1e-5)
+    rng, control = np.random.default_rng(3), np.empty((13, 6))
+    basis = basis_of(problem.time, smooth)
+    coefficients = coefficients_of(basis, problem.time, wobbly(problem, rng), problem.bend)
+    equations = empty_equations(len(coefficients))
+    assemble(problem, basis, coefficients, 1e-9, equations)
+
+    def e(k, change):
+        coefficients.flat[k] += change
+        control_of(basis, problem.time, coefficients, control)
+        coefficients.flat[k] -= change
+        return total_cost(problem, control)
+
+    for k in rng.integers(coefficients.size, size=40):
+        assert equations.gradient[k] == pytest.approx((e(k, 1e-6) - e(k, -1e-6)) / 2e-6, rel=1e-4, abs=1e-4)
+
+
+@pytest.mark.parametrize("strength", [5.0, 40.0])
+def test_strength_counts_beyond_itself_alone(strength):
+    w = np.array([3.0, -4.0, 12.0])
+    size, _, force, lower = cost.strength_model(tuple(w), strength, 0.02)
+    over = max(13.0 - strength, 0.0)
+    assert size == pytest.approx(0.02 * over**2)
+    np.testing.assert_allclose(force, 0.04 * over * w / 13.0, atol=1e-12)
+    numeric = [(np.array(cost.strength_model(tuple(w + 1e-6 * axis), strength, 0.02)[2]) - force) / 1e-6 for axis in np.eye(3)]
+    np.testing.assert_allclose(reference.whole(lower), numeric, atol=1e-5)
+
+
+def test_reach_model_is_the_derivative_of_its_cost():
+    com, q = np.array([0.3, 0.1, 0.95]), np.array([[0.0, 0.1, 0.05], [0.55, -0.1, 0.05]])
+    standing, limit = np.array([True, True]), np.array([0.9, 0.9])
+    e, force, _ = cost.reach_model(tuple(com), q, standing, limit, 100.0)
+    assert e == pytest.approx(cost.reach_cost(com, q, standing, limit, 100.0)) and e > 0
+    for axis in np.eye(3):
+        near = [cost.reach_cost(com + d * axis, q, standing, limit, 100.0) for d in (1e-6, -1e-6)]
+        assert force @ axis == pytest.approx((near[0] - near[1]) / 2e-6, rel=1e-5, abs=1e-4)
 
 
 def wobbly(problem, rng):

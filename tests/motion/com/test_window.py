@@ -5,8 +5,10 @@ import pytest
 
 from motion.characters.character import load_character
 from motion.com import laying, newton, window
+from motion.com.problem import total_cost
 from motion.track import curve, foot, heading, phases
 from motion.track.curve import Curve
+from motion.track.pelvis import pelvis_at
 from sim.bench import live
 from tests import reference
 from tests.walks import straight_walk
@@ -21,7 +23,7 @@ def windows():
 def test_laying_asks_the_foot_and_the_heading(windows, by_step):
     for one in windows[::16]:
         b, footprints, end = one.biped, one.footprints, window.window_end(one.footprints)
-        problem, _ = laying.build_problem(b, footprints, one.begin, end, laying.Layout(5, by_step))
+        problem, _ = laying.build_problem(b, footprints, one.committed.time[-1], end, laying.Layout(5, by_step, False))
         for i, j in np.ndindex(len(problem.time) - 1, len(problem.standing)):
             t = problem.time[i] + (j + 0.5) / 5 * (problem.time[i + 1] - problem.time[i])
             support = phases.support_at(footprints, 0, t)
@@ -39,12 +41,12 @@ def test_laying_asks_the_foot_and_the_heading(windows, by_step):
 
 
 def check_legs(b, footprints, support, t, standing, origin):
-    yaw = heading.body_heading(b, footprints, t)
+    yaw, (turn, roll) = heading.body_heading(b, footprints, t), pelvis_at(b, footprints, t)
     for leg, n in enumerate(support):
         assert standing[leg] == (n >= 0)
         if n >= 0:
             u = min(max((t - footprints.contact_time[n]) / footprints.stance_time[n], 0.0), 1.0)
-            expected = np.array(foot.stance_ankle(b, footprints, n, u)) - foot.hip_offset(b, leg, yaw)
+            expected = np.array(foot.stance_ankle(b, footprints, n, u)) - foot.hip_offset(b, leg, yaw + turn, roll)
             np.testing.assert_allclose(origin[leg], expected, atol=1e-12)
 
 
@@ -54,6 +56,11 @@ def test_headings_at_many_times_are_those_at_each(windows):
     out = np.empty(400)
     heading.body_headings(one.biped, one.footprints, times, out)
     np.testing.assert_allclose(out, [heading.body_heading(one.biped, one.footprints, t) for t in times], atol=1e-12)
+
+
+def first_of(old):
+    """A committed curve that has only begun."""
+    return Curve(old.time[:1], old.control[:1], old.support[:1])
 
 
 def test_a_regular_walk_is_foreseen_exactly():
@@ -69,7 +76,7 @@ def test_a_regular_walk_is_foreseen_exactly():
     )
     problem, _ = window.lay_window(b, footprints, footprints.contact_time[6])
     control = np.zeros((len(problem.time), 6))
-    window.begin_window(footprints, problem, control, old.control[0], old)
+    window.begin_window(b, footprints, problem, control, first_of(old), old)
     scratch, expected = np.empty(3), np.empty(6)
     curve.evaluate(old, problem.time[-1] - later, expected[:3], expected[3:], scratch)
     np.testing.assert_allclose(control[-1], expected + np.concatenate([stride, np.zeros(3)]), atol=1e-9)
@@ -84,19 +91,19 @@ def test_an_irregular_end_is_left_free():
     old = Curve(footprints.contact_time[1:11].copy(), np.zeros((10, 6)), np.full((10, 2), -1))
     problem, _ = window.lay_window(b, footprints, footprints.contact_time[6])
     control = np.zeros((len(problem.time), 6))
-    window.begin_window(footprints, problem, control, old.control[0], old)
+    window.begin_window(b, footprints, problem, control, first_of(old), old)
     assert (problem.anchor_stiffness == 0).all()
 
 
 def test_cost_of_a_window_is_its_twin(windows):
     """The springs at its end included."""
     one = windows[30]
-    problem, _ = window.lay_window(one.biped, one.footprints, one.begin)
+    problem, _ = window.lay_window(one.biped, one.footprints, one.committed.time[-1])
     control = np.zeros((len(problem.time), 6))
-    window.begin_window(one.footprints, problem, control, one.start, one.last)
+    window.begin_window(one.biped, one.footprints, problem, control, one.committed, one.last)
     control[1:] += np.random.default_rng(2).normal(0, 0.02, control[1:].shape)
     assert (problem.anchor_stiffness > 0).all()
-    assert window.problems.total_cost(problem, control) == pytest.approx(reference.total_cost(problem, control), rel=1e-9)
+    assert total_cost(problem, control) == pytest.approx(reference.total_cost(problem, control), rel=1e-9)
 
 
 def test_windows_are_near_their_tight_solutions(windows):

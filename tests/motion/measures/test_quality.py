@@ -57,7 +57,9 @@ def test_skate_adds_up_over_the_stance():
     horizontal, total, error = judged(footprints, time, sole, contact)
     assert horizontal == pytest.approx(0.03 * lasts, rel=0.02) and total == pytest.approx(0.05 * lasts, rel=0.02)
     assert error == pytest.approx(total)
-    assert quality.stance_slide(sole[:, :, quality.TOE], contact) == pytest.approx(0.05 / RATE)
+    stands = quality.footing(time, contact, footprints)
+    down = quality.on_ground(sole, stands, footprints)
+    assert quality.stance_slide(sole, down) == pytest.approx(0.05 / RATE)
 
 
 def test_a_floating_foot_skates_too():

@@ -41,6 +41,6 @@ def test_good_scene_loads(tmp_path):
     path = tmp_path / "scene.toml"
     path.write_text(HEAD + PATH)
     scene = load_scene(path)
-    assert (scene.support, scene.segments, scene.character) == ("roll", "phase", "human")
+    assert (scene.support, scene.segments, scene.character) == ("roll", "smooth", "human")
     with pytest.raises(InputError, match="no such scene"):
         load_scene(tmp_path / "none.toml")

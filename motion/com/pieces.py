@@ -1,0 +1,87 @@
+"""Pieces of a curve in Lanes: the coefficients that LANES of them depend on, and their weights at a share of the piece."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from motion.com.cost import Some, Three
+from motion.com.problem import Problem
+from motion.track.basis import Basis
+from motion.track.curve import Weights
+from worlds.compiled.jit import jit_inline
+from worlds.compiled.lanes import lanes_of, load
+
+
+class Pieces(NamedTuple):
+    """LANES pieces from one on; beyond the last lie copies of it that count for nothing."""
+
+    duration: Some  # lanes [s]
+    scale: Some  # lanes: time per sample [s]
+    bend: Some  # lanes: 1 / T^2
+    powers: tuple  # of the four coefficients' weights: (constant, s, s^2, s^3), lanes
+    x: tuple  # the four coefficients along each axis, lanes
+    y: tuple
+    z: tuple
+
+
+@jit_inline
+def _powers(basis: Basis, k: int, i: int) -> Weights:
+    weights = basis.weights
+    return load(weights, (k, 0, i)), load(weights, (k, 1, i)), load(weights, (k, 2, i)), load(weights, (k, 3, i))
+
+
+@jit_inline
+def _along(coefficients: np.ndarray, at: tuple[int, int, int, int], axis: int) -> Weights:
+    i, j, k, n = at
+    c = coefficients
+    return (
+        lanes_of(c[i, axis], c[j, axis], c[k, axis], c[n, axis]),
+        lanes_of(c[i + 1, axis], c[j + 1, axis], c[k + 1, axis], c[n + 1, axis]),
+        lanes_of(c[i + 2, axis], c[j + 2, axis], c[k + 2, axis], c[n + 2, axis]),
+        lanes_of(c[i + 3, axis], c[j + 3, axis], c[k + 3, axis], c[n + 3, axis]),
+    )
+
+
+@jit_inline
+def pieces_from(problem: Problem, basis: Basis, coefficients: np.ndarray, i: int) -> Pieces:
+    """The Pieces from i on."""
+    time, last, first = problem.time, len(problem.time) - 2, basis.first
+    j, k, n = min(i + 1, last), min(i + 2, last), min(i + 3, last)
+    duration = lanes_of(time[i + 1] - time[i], time[j + 1] - time[j], time[k + 1] - time[k], time[n + 1] - time[n])
+    counts = lanes_of(1.0, min(last - i, 1), min(max(last - i - 1, 0), 1), min(max(last - i - 2, 0), 1))
+    at = (first[i], first[j], first[k], first[n])
+    powers = (_powers(basis, 0, i), _powers(basis, 1, i), _powers(basis, 2, i), _powers(basis, 3, i))
+    return Pieces(
+        duration, counts * duration / problem.support_point.shape[0], 1 / (duration * duration), powers,
+        _along(coefficients, at, 0), _along(coefficients, at, 1), _along(coefficients, at, 2),
+    )  # fmt: skip
+
+
+@jit_inline
+def _share_of(p: Weights, s: float) -> Some:
+    return p[0] + s * (p[1] + s * (p[2] + s * p[3]))
+
+
+@jit_inline
+def _bend_of(p: Weights, bend: Some, s: float) -> Some:
+    return bend * (2 * p[2] + (6 * s) * p[3])
+
+
+@jit_inline
+def weights_at(pieces: Pieces, s: float) -> tuple[Weights, Weights]:
+    """Weights of the coefficients in the com and in the acceleration at share s."""
+    p, bend = pieces.powers, pieces.bend
+    return (
+        (_share_of(p[0], s), _share_of(p[1], s), _share_of(p[2], s), _share_of(p[3], s)),
+        (_bend_of(p[0], bend, s), _bend_of(p[1], bend, s), _bend_of(p[2], bend, s), _bend_of(p[3], bend, s)),
+    )
+
+
+@jit_inline
+def _mix(w: Weights, u: Any) -> Some:
+    return w[0] * u[0] + w[1] * u[1] + w[2] * u[2] + w[3] * u[3]
+
+
+@jit_inline
+def mix_all(w: Weights, pieces: Pieces) -> Three:
+    return _mix(w, pieces.x), _mix(w, pieces.y), _mix(w, pieces.z)

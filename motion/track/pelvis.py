@@ -1,0 +1,58 @@
+"""The planned pelvis: how it turns and lists, as a function of the footprints alone, so that the cost knows the pose's hips.
+
+It turns with the foot that is ahead, most at its contact, and lists toward the swinging leg while the weight goes onto the
+other: two of the determinants of gait (Saunders, Inman, Eberhart 1953), by which legs get longer where a step needs it.
+"""
+
+from math import cos, sin, tanh
+
+import numpy as np
+
+from motion.characters.dimensions import Dimensions
+from motion.track.footprints import LEFT, Footprints
+from worlds.compiled.jit import jit_borrowing
+
+WHOLE = 0.5
+"""Share of the preferred step from which on the pelvis lists wholly."""
+
+
+@jit_borrowing
+def _ahead(footprints: Footprints, i: int) -> float:
+    """How far the left foot is ahead of the right one [m] once footprint i has landed; 0 for a hop."""
+    if i < 1 or footprints.side[i] == footprints.side[i - 1]:
+        return 0.0
+    p, q, heading = footprints.position[i - 1], footprints.position[i], footprints.heading[i]
+    way = cos(heading) * (q[0] - p[0]) + sin(heading) * (q[1] - p[1])
+    return way if footprints.side[i] == LEFT else -way
+
+
+@jit_borrowing
+def weight_at(footprints: Footprints, t: float) -> float:
+    """Over which leg the trunk leans at time t [s]: 1 the left, -1 the right, 0 at contacts and while standing on both."""
+    i = int(np.searchsorted(footprints.contact_time, t, side="right")) - 1
+    if i < 0 or footprints.stands[i]:
+        return 0.0
+    last = i + 1 >= len(footprints.side)
+    time = footprints.step_time[i] if last else footprints.contact_time[i + 1] - footprints.contact_time[i]
+    x = min(max((t - footprints.contact_time[i]) / max(time, 1e-6), 0.0), 1.0)
+    return (1.0 if footprints.side[i] == LEFT else -1.0) * 16 * x * x * (1 - x) * (1 - x)
+
+
+@jit_borrowing
+def pelvis_at(biped: Dimensions, footprints: Footprints, t: float) -> tuple[float, float]:
+    """(turn, list) [rad] at time t [s]: counter-clockwise against the body's heading, and left side up."""
+    i = int(np.searchsorted(footprints.contact_time, t, side="right")) - 1
+    if i < 0:
+        return 0.0, 0.0
+    last, unit = i + 1 >= len(footprints.side), biped.gait.preferred_step
+    time = footprints.step_time[i] if last else footprints.contact_time[i + 1] - footprints.contact_time[i]
+    x = min(max((t - footprints.contact_time[i]) / max(time, 1e-6), 0.0), 1.0)
+    now = _ahead(footprints, i)
+    then = now if last else _ahead(footprints, i + 1)
+    begin, end = tanh(now / unit), tanh(then / unit)
+    turn = -biped.body.pelvis_turn * (begin + x * x * (3 - 2 * x) * (end - begin))
+    if footprints.stands[i]:
+        return turn, 0.0
+    rise = 45.5625 * x * x * (1 - x) ** 4  # 1 at a third of the step, at rest at both ends
+    side = 1.0 if footprints.side[i] == LEFT else -1.0
+    return turn, side * biped.body.pelvis_drop * min(abs(now) / (WHOLE * unit), 1.0) * rise
