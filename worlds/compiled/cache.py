@@ -14,16 +14,18 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 _PACKAGES = ("motion", "worlds", "planner", "sim")
+_WITHOUT_KERNELS = {"cli", "files", "reports", "view"}
+"""Rooms of `sim` that only call kernels: an edit there leaves what is compiled as it is."""
 _KEPT = 4
 """Folders of other sources that are left alone, the newest: going back to what was edited compiles nothing."""
 
 
 def source_key() -> str:
-    """Hash of the sources that hold kernels: all but the view's."""
+    """Hash of the sources that hold kernels."""
     digest = hashlib.sha256()
     for package in _PACKAGES:
         for path in sorted((ROOT / package).rglob("*.py")):
-            if "view" not in path.parts:
+            if not _WITHOUT_KERNELS.intersection(path.relative_to(ROOT / package).parts):
                 digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
 

@@ -51,7 +51,7 @@ class _Extras:
     def __init__(self, options: Any, sim: Cast) -> None:
         self.options = options
         self.recorder = None
-        if options.biped:
+        if options.record:
             from sim.files.recording import Recorder
 
             self.recorder = Recorder(sim)
@@ -68,7 +68,7 @@ class _Extras:
     def end(self, sim: Cast) -> None:
         """Writes what was asked for."""
         if self.recorder:
-            self.recorder.save(self.options.biped)
+            self.recorder.save(self.options.record)
         if self.options.save and isinstance(sim, Simulation):
             save(sim, self.options.save)
         if self.options.screenshot:
