@@ -1,7 +1,6 @@
 """Files of arrays: .npz without pickles, with a JSON string `meta`, written whole or not at all."""
 
 import json
-import os
 import zipfile
 import zlib
 from pathlib import Path
@@ -9,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from sim.files import outputs
 from worlds.errors import InputError
 
 Arrays = dict[str, np.ndarray]
@@ -16,16 +16,9 @@ Arrays = dict[str, np.ndarray]
 
 def write(path: str | Path, arrays: Arrays, meta: dict, compressed: bool = True) -> None:
     """Writes arrays and meta. Raises InputError where that cannot be done; nothing is left half written."""
-    path = Path(path)
-    temporary = path.with_name(path.name + ".part")
     save = np.savez_compressed if compressed else np.savez
-    try:
-        with open(temporary, "wb") as file:
-            save(file, allow_pickle=False, **arrays, meta=np.array(json.dumps(meta, sort_keys=True)))  # type: ignore[arg-type]
-        os.replace(temporary, path)
-    except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+    with outputs.whole(path) as temporary, open(temporary, "wb") as file:
+        save(file, allow_pickle=False, **arrays, meta=np.array(json.dumps(meta, sort_keys=True)))  # type: ignore[arg-type]
 
 
 def read(path: str | Path, what: str, hint: str, needed: tuple[str, ...], form: int) -> tuple[Arrays, dict]:

@@ -1,18 +1,24 @@
 """A headless run: ticks, a progress bar, a summary."""
 
-import sys
 from collections.abc import Callable
 
 import numpy as np
 
 from sim.stage.cast import Cast
+from worlds.compiled.telling import tell
 
 STANDS_STILL = 2.0
 """A run to a goal ends this long [s] after everyone has reached it."""
 
 
-def run(sim: Cast, seconds: float, *after_tick: Callable[[], None], quiet: bool = False) -> dict:
-    """Ticks for `seconds` of simulated time, or until all reached their goal; returns the summary.
+def _never() -> bool:
+    return False
+
+
+def run(
+    sim: Cast, seconds: float, *after_tick: Callable[[], None], quiet: bool = False, stop: Callable[[], bool] = _never
+) -> dict:
+    """Ticks until `seconds` of simulated time, until all reached their goal, or until `stop` says so; returns the summary.
 
     Each of after_tick is called after every tick. The bar goes to stderr.
     """
@@ -25,16 +31,16 @@ def run(sim: Cast, seconds: float, *after_tick: Callable[[], None], quiet: bool 
         watch.look()
         if not quiet and (k % 30 == 0 or k == ticks - 1):
             _bar((k + 1) / ticks)
-        if sim.over or (watch.all_there_since is not None and sim.time - watch.all_there_since > STANDS_STILL):
+        if stop() or sim.over or (watch.all_there_since is not None and sim.time - watch.all_there_since > STANDS_STILL):
             break
     if not quiet:
-        print(file=sys.stderr)
+        tell("")
     return watch.summary()
 
 
 def _bar(share: float) -> None:
     full = int(30 * share)
-    print(f"\r  [{'#' * full}{'.' * (30 - full)}] {share:4.0%}", end="", file=sys.stderr, flush=True)
+    tell(f"\r  [{'#' * full}{'.' * (30 - full)}] {share:4.0%}", end="")
 
 
 class _Watch:

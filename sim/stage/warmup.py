@@ -14,6 +14,9 @@ from pathlib import Path
 import llvmlite.binding
 import numba
 
+from worlds.compiled import leaving
+from worlds.compiled.telling import tell
+
 ROOT = Path(__file__).resolve().parents[2]
 LIVE, SHOWN = ("window solve", "tick of the crowd"), ("poses", "standing", "ground")
 NEEDED = {
@@ -31,13 +34,19 @@ def warm_up(command: str, tell: Callable[[str], None]) -> None:
     if stamp.exists():
         return
     names = (*ours, *theirs)
-    helper = subprocess.Popen([sys.executable, "-m", "sim.stage.warmup", ",".join(names), ",".join(theirs)], cwd=ROOT)
+    helper = subprocess.Popen(
+        [sys.executable, "-m", "sim.stage.warmup", ",".join(names), ",".join(theirs)],
+        cwd=ROOT,
+        start_new_session=os.name == "posix",  # Ctrl-C is ours: we end it
+    )
+    leaving.remember(helper, helper.terminate)
     try:
         _compile(names, ours, tell)
         helper.wait()
     finally:
         if helper.poll() is None:
             helper.terminate()
+        leaving.forget(helper)
     if stamp.parent.is_dir():
         stamp.touch()
 
@@ -60,4 +69,4 @@ def _compile(names: tuple[str, ...], mine: tuple[str, ...], tell: Callable[[str]
 
 if __name__ == "__main__":
     every, some = (tuple(names.split(",")) for names in sys.argv[1:])
-    _compile(every, some, lambda line: print(line, file=sys.stderr, flush=True))
+    _compile(every, some, tell)

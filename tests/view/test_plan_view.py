@@ -9,6 +9,7 @@ from planner.script.scene import load_scene, scene_names
 from sim.stage.making import make_simulation
 from sim.stage.performance import Performance
 from sim.view.pictures import plan_view
+from sim.view.pictures.results import Wanted
 from sim.view.window import window
 from worlds.level import level_names
 
@@ -37,11 +38,9 @@ def test_every_level_and_scene_is_drawn(name):
 @pytest.mark.parametrize("name", ["forest", "river_easy", "rock_field", "fig01_steps_and_a_hop"])
 def test_a_window_without_opengl_runs_to_its_end(name, monkeypatch, tmp_path, capsys):
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")  # a display that has no OpenGL
-    options = argparse.Namespace(
-        level=name, character="bird", seed=0, seconds=0.2, record=str(tmp_path / "run.npz"), save=None, screenshot=None,
-        video=None, size=(320, 180), json=False,
-    )  # fmt: skip
-    assert window.run_window(lambda *_: cast(name), cast(name), options, [name]) == 0
+    options = argparse.Namespace(level=name, character="bird", seed=0, seconds=0.2, size=(320, 180), json=False)
+    wanted = Wanted(record=str(tmp_path / "run.npz"))
+    assert window.run_window(lambda *_: cast(name), cast(name), options, [name], wanted, lambda: False) == 0
     assert "showing the plan view" in capsys.readouterr().err
     with np.load(tmp_path / "run.npz") as run:
         assert len(run["time"]) == 13

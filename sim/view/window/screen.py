@@ -10,6 +10,7 @@ from sim.view.graphics import gl
 from sim.view.graphics.quality import LEVELS, SOFTWARE_LEVEL
 from sim.view.pictures.renderer import Renderer
 from sim.view.window.app import App
+from worlds.compiled.telling import tell
 
 FRAMES, SECONDS = 8, 1.0
 """Before it is judged again, a level is given so many frames and so long [s]; UP times as long before it is raised."""
@@ -110,5 +111,5 @@ def _panel(pygame: ModuleType, size: tuple[int, int]) -> Any:
 
         return Panel(pygame, size)
     except Exception as error:  # imgui raises whatever its backend does
-        print(f"no panel: {error}")
+        tell(f"no panel: {error}")
         return None
