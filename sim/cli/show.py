@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from sim.cli import stopping
+from sim.cli import agreeing, stopping
 from sim.cli.status import BAD_INPUT, DONE
 from sim.files.saving import restore
 from sim.stage.cast import Cast
@@ -30,7 +30,7 @@ def show(options: Any, make: Callable[..., Cast], names: list[str], saved: str |
         raise InputError(f"--video {wanted.video}: films are made without a window: add --headless")
     begin = time.perf_counter()
     warm_up(options.command, tell)
-    sim = restore(saved) if saved else make()
+    sim = _restored(options, saved) if saved else make()
     if saved and options.seconds and options.seconds <= sim.time:
         raise InputError(f"--seconds {options.seconds:g}: {saved} is at {sim.time:g} s already; give a later time")
     sim.snapshot()
@@ -42,6 +42,13 @@ def show(options: Any, make: Callable[..., Cast], names: list[str], saved: str |
 
     with stopping.between_ticks():
         return run_window(make, sim, options, names, wanted, stopping.asked)
+
+
+def _restored(options: Any, path: str) -> Cast:
+    """The saved simulation, if it is what was asked for; else raises InputError."""
+    sim = restore(path)
+    agreeing.restored(options, sim)
+    return sim
 
 
 def _wanted(options: Any) -> Wanted:

@@ -35,6 +35,7 @@ def run(
             break
     if not quiet:
         tell("")
+    watch.measure()
     return watch.summary()
 
 
@@ -48,17 +49,19 @@ class _Watch:
 
     def __init__(self, sim: Cast) -> None:
         self.sim = sim
-        self.distance = np.zeros(len(sim.characters))
         self.last = sim.snapshot().com[:, :2]
         self.reached = np.full(len(sim.characters), np.nan)
         self.all_there_since: float | None = None
 
     def look(self) -> None:
         """After a tick: six times a simulated second is enough for distances and goals."""
-        if self.sim.ticks % 10:
-            return
+        if self.sim.ticks % 10 == 0:
+            self.measure()
+
+    def measure(self) -> None:
+        """How far everyone has come since it was last measured, and whether they are there."""
         com = self.sim.snapshot().com[:, :2]
-        self.distance += np.linalg.norm(com - self.last, axis=1)
+        self.sim.distance += np.linalg.norm(com - self.last, axis=1)
         self.last = com
         there = self.sim.reached_goal
         self.reached[there & np.isnan(self.reached)] = self.sim.time
@@ -73,7 +76,7 @@ class _Watch:
             "seed": self.sim.seed,
             "seconds": self.sim.time,
             "steps": self.sim.footprints.steps,
-            "distance": float(self.distance.mean()),
+            "distance": float(self.sim.distance.mean()),
             "reached_goal": bool(there.all()),
             "seconds_to_goal": float(self.reached.max()) if there.all() else None,
         }

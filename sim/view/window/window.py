@@ -56,9 +56,9 @@ def handle(app: App, screen: Any, event: Any, pygame: ModuleType) -> None:
     if event.type == pygame.QUIT:
         app.running = False
     elif event.type == pygame.KEYDOWN:
-        app.key(pygame.key.name(event.key))
+        app.key(typed(event, pygame))
     elif event.type == pygame.KEYUP:
-        app.key_up(pygame.key.name(event.key))
+        app.key_up(typed(event, pygame))
     elif event.type == pygame.MOUSEWHEEL:
         app.camera.zoom(event.y)
     elif event.type == pygame.MOUSEMOTION and any(event.buttons):
@@ -72,6 +72,12 @@ def handle(app: App, screen: Any, event: Any, pygame: ModuleType) -> None:
         app.pressed = None
     elif event.type == pygame.VIDEORESIZE:
         screen.resize(event.size)
+
+
+def typed(event: Any, pygame: ModuleType) -> str:
+    """What a key types, wherever it sits on this keyboard; a key's own name where it types nothing."""
+    letter = getattr(event, "unicode", "").lower()
+    return letter if letter.isascii() and letter.isprintable() and letter.strip() else pygame.key.name(event.key)
 
 
 def _open_screen(pygame: ModuleType, size: tuple[int, int]) -> Any:
