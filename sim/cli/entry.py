@@ -10,6 +10,7 @@ from typing import Any
 from sim import VERSION
 from sim.cli import parser, stopping
 from sim.cli.status import BAD_INPUT, DONE, FAULT
+from worlds.errors import InputError
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -37,6 +38,9 @@ def run(options: Any) -> int:
     except BrokenPipeError:  # whoever reads has read enough, as `| head -1` does
         _forget_stdout()
         return DONE
+    except InputError as error:
+        _say(str(error))
+        return BAD_INPUT
     except MemoryError:
         _say("this needs more memory than there is")
         return BAD_INPUT

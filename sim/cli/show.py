@@ -18,13 +18,15 @@ from worlds.compiled.telling import tell
 from worlds.errors import InputError
 
 HEADLESS_SECONDS = 20.0
+NO_DISPLAY = "There is no display: running headless."
 LEFT_BEHIND = ("footfall.png", "footfall.npz")
 """Picture and recording left where there is no display and nothing else was asked for."""
 
 
 def show(options: Any, make: Callable[..., Cast], names: list[str], saved: str | None = None) -> int:
     """Runs what `make` makes, or what was saved, in a window where there is one; `names` are what the window can go on to."""
-    windowed, wanted = _has_display() and not options.headless, _wanted(options)
+    windowed = not options.headless and _has_display()
+    wanted = _wanted(options, windowed)
     wanted.check()
     if windowed and wanted.video is not None:
         raise InputError(f"--video {wanted.video}: films are made without a window: add --headless")
@@ -51,12 +53,15 @@ def _restored(options: Any, path: str) -> Cast:
     return sim
 
 
-def _wanted(options: Any) -> Wanted:
+def _wanted(options: Any, windowed: bool) -> Wanted:
     """What the run is to leave; where there is no display and nothing was asked for, a picture and a recording."""
     wanted = Wanted(options.record, options.screenshot, options.video, options.save, options.size)
-    if options.headless or _has_display() or any(name is not None for name in wanted[:3]):
+    if options.headless or windowed:
         return wanted
-    tell("There is no display: running headless.")
+    named = [f"{name}={os.environ[name]}" for name in ("DISPLAY", "WAYLAND_DISPLAY") if os.environ.get(name)]
+    tell(f"{', '.join(named)}: no display answers there; running headless." if named else NO_DISPLAY)
+    if any(name is not None for name in wanted[:3]):
+        return wanted
     picture, record = LEFT_BEHIND
     return wanted._replace(screenshot=picture, record=record)
 
@@ -64,7 +69,13 @@ def _wanted(options: Any) -> Wanted:
 def _has_display() -> bool:
     if os.environ.get("SDL_VIDEODRIVER"):
         return os.environ["SDL_VIDEODRIVER"] != "dummy"
-    return sys.platform in ("win32", "darwin") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+    if sys.platform in ("win32", "darwin"):
+        return True
+    if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        return False
+    from sim.view.window.window import opens
+
+    return opens()
 
 
 def _headless(options: Any, sim: Cast, wanted: Wanted) -> int:

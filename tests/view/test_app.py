@@ -119,3 +119,14 @@ def test_real_events_drive_a_window(monkeypatch, app):
         screen.draw(app)
     finally:
         pygame.display.quit()
+
+
+def test_the_window_asks_for_a_profile_that_every_machine_has():
+    import pygame
+
+    from sim.view.window.screen import context_attributes
+
+    asked = context_attributes(pygame)
+    assert asked[pygame.GL_CONTEXT_PROFILE_MASK] == pygame.GL_CONTEXT_PROFILE_CORE
+    assert asked[pygame.GL_CONTEXT_FLAGS] == pygame.GL_CONTEXT_FORWARD_COMPATIBLE_FLAG
+    assert (asked[pygame.GL_CONTEXT_MAJOR_VERSION], asked[pygame.GL_CONTEXT_MINOR_VERSION]) == (3, 3)

@@ -49,6 +49,19 @@ def run_window(
     return 2 if results.faults else 0
 
 
+def opens() -> bool:
+    """Whether there is a display that answers. Where none does, SDL would draw a window that nobody sees."""
+    import pygame
+
+    try:
+        pygame.display.init()
+    except pygame.error:
+        return False
+    unseen = pygame.display.get_driver() in ("offscreen", "dummy") and not os.environ.get("SDL_VIDEODRIVER")
+    pygame.display.quit()
+    return not unseen
+
+
 def handle(app: App, screen: Any, event: Any, pygame: ModuleType) -> None:
     """One pygame event."""
     if screen.takes(event):

@@ -3,6 +3,8 @@
 import argparse
 import json
 import os
+import subprocess
+import sys
 import threading
 
 import pytest
@@ -115,3 +117,15 @@ def test_a_key_is_what_it_types():
     assert typed(argparse.Namespace(key=pygame.K_g, unicode="G"), pygame) == "g"
     assert typed(argparse.Namespace(key=pygame.K_SPACE, unicode=" "), pygame) == "space"
     assert typed(argparse.Namespace(key=pygame.K_LEFT, unicode=""), pygame) == "left"
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="displays of X")
+def test_a_display_that_does_not_answer_is_said_and_the_run_headless(tmp_path):
+    picture = tmp_path / "end.png"
+    env = {name: value for name, value in os.environ.items() if name not in ("SDL_VIDEODRIVER", "WAYLAND_DISPLAY")}
+    ran = subprocess.run(
+        [sys.executable, str(main.HERE / "main.py"), "--seconds", "0.1", "--screenshot", str(picture), "--json"],
+        cwd=tmp_path, capture_output=True, text=True, env=env | {"DISPLAY": ":4711"},
+    )  # fmt: skip
+    assert ran.returncode == 0 and "DISPLAY=:4711: no display answers there" in ran.stderr
+    assert json.loads(ran.stdout)["seconds"] == pytest.approx(0.1) and picture.exists()
