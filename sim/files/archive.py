@@ -12,6 +12,11 @@ from sim.files import outputs
 from worlds.errors import InputError
 
 Arrays = dict[str, np.ndarray]
+_UNREADABLE = (
+    ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error, KeyError, TypeError, SyntaxError, OverflowError,
+    RuntimeError, MemoryError,
+)  # fmt: skip
+"""What zipfile and numpy raise for files that are damaged, encrypted, or declare more than any memory holds."""
 
 
 def write(path: str | Path, arrays: Arrays, meta: dict, compressed: bool = True) -> None:
@@ -33,7 +38,7 @@ def read(path: str | Path, what: str, hint: str, needed: tuple[str, ...], form: 
         with np.load(path, allow_pickle=False) as file:
             arrays = {name: file[name] for name in file.files}
         meta = json.loads(str(arrays.pop("meta"))) if "meta" in arrays else None
-    except (ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error, KeyError, TypeError, NotImplementedError) as error:
+    except _UNREADABLE as error:
         raise InputError(f"{path}: is not readable as {what} ({error})") from None
     missing = [name for name in needed if name not in arrays]
     if missing or not isinstance(meta, dict):
