@@ -26,18 +26,13 @@ class _Parser(argparse.ArgumentParser):
 def _nearest(message: str, parser: argparse.ArgumentParser) -> str:
     """ "; did you mean X?" for a command or option that there is not; nothing where none is near."""
     choice = re.search(r"invalid choice: '([^']*)'", message)
-    option = re.search(r"unrecognized arguments: (--[^ =]+)", message)
+    option = re.search(r"unrecognized arguments: (?:.* )?(--[^ =]+)", message)
     known = [name for action in parser._actions for name in (action.choices or ())] if choice else []
     if option:
-        known = [name for one in _with_subcommands(parser) for name in one._option_string_actions]
+        known = list(parser._option_string_actions)
     word = choice or option
-    found = difflib.get_close_matches(word[1], known, 1, 0.6) if word else []
+    found = difflib.get_close_matches(word[1], known, 1, 0.7) if word else []
     return f"; did you mean {found[0]}?" if found else ""
-
-
-def _with_subcommands(parser: argparse.ArgumentParser) -> list[argparse.ArgumentParser]:
-    inner = [action for action in parser._actions if isinstance(action, argparse._SubParsersAction)]
-    return [parser, *(one for action in inner for one in action.choices.values())]
 
 
 def parsed(arguments: list[str]) -> argparse.Namespace:
@@ -45,12 +40,20 @@ def parsed(arguments: list[str]) -> argparse.Namespace:
     arguments = with_default(arguments)
     if arguments[0] == "test":  # whatever follows is pytest's
         return argparse.Namespace(command="test", arguments=arguments[1:])
-    options = parser().parse_args(arguments)
+    top = parser()
+    options, unknown = top.parse_known_args(arguments)
+    if unknown:
+        _command_of(top, options.command).error(f"unrecognized arguments: {' '.join(unknown)}")
     defaults = DEFAULTS.get(options.command, {})
     options.given = {name for name in defaults if getattr(options, name) is not None}
     for name in defaults.keys() - options.given:
         setattr(options, name, defaults[name])
     return options
+
+
+def _command_of(top: argparse.ArgumentParser, command: str) -> argparse.ArgumentParser:
+    """What reads the arguments of a command: it knows its options."""
+    return next(one.choices[command] for one in top._actions if isinstance(one, argparse._SubParsersAction))
 
 
 def with_default(arguments: list[str]) -> list[str]:

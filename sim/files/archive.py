@@ -34,6 +34,8 @@ def read(path: str | Path, what: str, hint: str, needed: tuple[str, ...], form: 
     path = Path(path)
     if not path.is_file():
         raise InputError(f"{path}: no such file; {what} is made with {hint}")
+    if not zipfile.is_zipfile(path):
+        raise InputError(f"{path}: is not readable as {what}: it is no .npz file, or was cut short")
     try:
         with np.load(path, allow_pickle=False) as file:
             arrays = {name: file[name] for name in file.files}
