@@ -15,6 +15,7 @@ import llvmlite.binding
 import numba
 
 from worlds.compiled import leaving
+from worlds.compiled.jit import start_threads
 from worlds.compiled.telling import be_quiet, compiling, tell
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -33,6 +34,7 @@ def warm_up(command: str, tell: Callable[[str], None]) -> None:
     stamp = _stamp(command)
     if stamp is None or stamp.exists():
         return
+    start_threads()  # before there are two who would complain
     names = (*ours, *theirs)
     helper = subprocess.Popen(
         [sys.executable, "-m", "sim.stage.warmup", ",".join(names), ",".join(theirs)],

@@ -32,7 +32,7 @@ def source_key() -> str:
 
 
 def _home() -> Path:
-    """The user's own folder for what can be made anew."""
+    """The user's own folder for what can be made anew. Raises RuntimeError for users without a home."""
     if sys.platform == "win32":
         return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
     if sys.platform == "darwin":
@@ -44,10 +44,12 @@ def folder() -> Path | None:
     """The folder for compiled kernels, made where it is missing; None where there is none that is ours alone."""
     key = source_key()
     is_checkout = (ROOT / "pyproject.toml").is_file()
-    for place in (ROOT / ".numba_cache", _home() / "footfall") if is_checkout else (_home() / "footfall",):
+    places = (lambda: ROOT / ".numba_cache", lambda: _home() / "footfall")
+    for find in places if is_checkout else places[1:]:
         try:
+            place = find()
             (place / key).mkdir(parents=True, exist_ok=True)
-        except OSError:
+        except (OSError, RuntimeError):
             continue
         if os.access(place / key, os.W_OK) and _is_trusted(place / key):
             _forget_old(place, key)
