@@ -12,19 +12,19 @@ SILENCE = 2.0
 
 def tell(text: str, end: str = "\n") -> None:
     """Says something on stderr, where somebody listens: a terminal may have been closed, a pipe read to its end."""
-    _Work.said = time.monotonic()
+    _Work.said, _Work.known = time.monotonic(), True
     if sys.stderr is not None:
         with suppress(OSError, ValueError):
             print(text, end=end, file=sys.stderr, flush=True)
 
 
 class _Work:
-    """What is being waited for: how deep in it we are, and when something was last said."""
+    """What is being waited for: how deep in it we are, when something was last said, if anything was."""
 
     lock = threading.Lock()
     depth = 0
     said = 0.0
-    quiet = False
+    quiet = known = False
     watch: threading.Thread | None = None
 
 
@@ -62,7 +62,7 @@ def end() -> None:
 
 def _watch() -> None:
     """Speaks whenever it was silent for too long; goes when nothing has been compiled for a while."""
-    idle, spoke = 0, False
+    idle = 0
     while True:
         time.sleep(SILENCE / 4)
         with _Work.lock:
@@ -71,5 +71,4 @@ def _watch() -> None:
                 _Work.watch = None
                 return
         if _Work.depth and time.monotonic() - _Work.said > SILENCE:
-            tell("  ... still compiling" if spoke else "compiling, once for these sources and this machine ...")
-            spoke = True
+            tell("  ... still compiling" if _Work.known else "compiling, once for these sources and this machine ...")
