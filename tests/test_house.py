@@ -9,6 +9,7 @@ import pytest
 
 from tests import structure
 from tests.structure import ROOT
+from worlds.compiled import cache
 
 TOOLS = {
     "lint": [sys.executable, "-m", "ruff", "check", "."],
@@ -103,3 +104,10 @@ def test_rounds_and_saved_states_know_no_planner_by_name():
 
 def _benches(names: set[str]) -> set[str]:
     return {name for name in names if name.startswith("sim.bench.")}
+
+
+def test_what_is_left_out_of_the_hash_of_kernels_holds_none():
+    """Else an edited kernel would be taken from the cache as it was."""
+    rooms = tuple(f"sim.{room}." for room in cache._WITHOUT_KERNELS)
+    compiling = [name for name in structure.modules() if {"numba", "worlds.compiled.jit"} & structure.imports_of(name)]
+    assert compiling and [name for name in compiling if name.startswith(rooms)] == []

@@ -9,6 +9,7 @@ from typing import Any, TypeVar, get_args
 
 from pydantic import BaseModel, ValidationError
 
+from worlds import files
 from worlds.errors import InputError
 
 LARGEST_FILE = 2_000_000
@@ -25,11 +26,21 @@ def named_file(folder: Path, name_or_path: str | Path, what: str) -> Path:
     if path.is_dir():
         raise InputError(f"{path}: is a folder; a {what} is a TOML file")
     if not path.exists():
+        if path.suffix == ".toml" or len(path.parts) > 1:
+            raise InputError(f"{path}: no such {what} file{nearest(path.name, [one.name for one in _beside(path)])}")
         names = names_in(folder)
         raise InputError(
             f"{path}: no such {what}{nearest(str(path), names)}; there are {', '.join(names)}, or give a .toml file"
         )
     return path
+
+
+def _beside(path: Path) -> list[Path]:
+    """The files of this kind in the same folder, where it is there."""
+    try:
+        return sorted(path.parent.glob("*.toml"))
+    except OSError:
+        return []
 
 
 def names_in(folder: Path) -> list[str]:
@@ -40,9 +51,8 @@ def names_in(folder: Path) -> list[str]:
 def tables_of(path: str | Path) -> set[str]:
     """The names at the top of a file; none where it is no readable TOML file: whoever reads it then says what is wrong."""
     try:
-        return (
-            set(tomllib.loads(Path(path).read_text(encoding="utf-8"))) if Path(path).stat().st_size <= LARGEST_FILE else set()
-        )
+        content = files.content(Path(path), LARGEST_FILE)
+        return set() if content is None else set(tomllib.loads(content.decode("utf-8")))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
         return set()
 
@@ -62,10 +72,11 @@ def checked(path: Path | str, plain: dict, model: type[Model]) -> Model:
 
 def read_toml(path: Path, what: str, needs: str) -> dict:
     """What a TOML file holds, as plain values. Raises InputError."""
-    if path.stat().st_size > LARGEST_FILE:
-        raise InputError(f"{path}: {path.stat().st_size} bytes; a {what} file has at most {LARGEST_FILE}")
     try:
-        values = tomllib.loads(path.read_bytes().decode("utf-8"))
+        content = files.content(path, LARGEST_FILE)
+        if content is None:
+            raise InputError(f"{path}: more than {LARGEST_FILE} bytes; a {what} file has at most that many")
+        values = tomllib.loads(content.decode("utf-8"))
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:

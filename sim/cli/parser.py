@@ -1,10 +1,38 @@
 """The command line, as it is typed. It needs nothing but Python: it is read before anything is installed."""
 
 import argparse
+import difflib
+import re
+from typing import Any, NoReturn
 
 from sim import VERSION
 
 ABOUT = "Footfall: footprints in, living motion out."
+DEFAULTS: dict[str, dict[str, Any]] = {
+    "wander": {"level": "forest", "character": "bird", "characters": 1, "seed": 0},
+    "river": {"level": "river_easy", "character": "bird", "characters": 1, "seed": 0},
+    "play": {"level": "fig01_steps_and_a_hop", "character": None, "characters": 1, "seed": 0},
+}
+"""What is meant where nothing is typed; `given` keeps what was."""
+
+
+class _Parser(argparse.ArgumentParser):
+    """Names what is nearest to a misspelt word."""
+
+    def error(self, message: str) -> NoReturn:
+        super().error(message + _nearest(message, self))
+
+
+def _nearest(message: str, parser: argparse.ArgumentParser) -> str:
+    """ "; did you mean X?" for a command or option that there is not; nothing where none is near."""
+    choice = re.search(r"invalid choice: '([^']*)'", message)
+    option = re.search(r"unrecognized arguments: (?:.* )?(--[^ =]+)", message)
+    known = [name for action in parser._actions for name in (action.choices or ())] if choice else []
+    if option:
+        known = list(parser._option_string_actions)
+    word = choice or option
+    found = difflib.get_close_matches(word[1], known, 1, 0.7) if word else []
+    return f"; did you mean {found[0]}?" if found else ""
 
 
 def parsed(arguments: list[str]) -> argparse.Namespace:
@@ -12,7 +40,20 @@ def parsed(arguments: list[str]) -> argparse.Namespace:
     arguments = with_default(arguments)
     if arguments[0] == "test":  # whatever follows is pytest's
         return argparse.Namespace(command="test", arguments=arguments[1:])
-    return parser().parse_args(arguments)
+    top = parser()
+    options, unknown = top.parse_known_args(arguments)
+    if unknown:
+        _command_of(top, options.command).error(f"unrecognized arguments: {' '.join(unknown)}")
+    defaults = DEFAULTS.get(options.command, {})
+    options.given = {name for name in defaults if getattr(options, name) is not None}
+    for name in defaults.keys() - options.given:
+        setattr(options, name, defaults[name])
+    return options
+
+
+def _command_of(top: argparse.ArgumentParser, command: str) -> argparse.ArgumentParser:
+    """What reads the arguments of a command: it knows its options."""
+    return next(one.choices[command] for one in top._actions if isinstance(one, argparse._SubParsersAction))
 
 
 def with_default(arguments: list[str]) -> list[str]:
@@ -24,7 +65,7 @@ def with_default(arguments: list[str]) -> list[str]:
 
 def parser() -> argparse.ArgumentParser:
     """The whole command line."""
-    top = argparse.ArgumentParser(prog="footfall", description=ABOUT)
+    top = _Parser(prog="footfall", description=ABOUT, allow_abbrev=False)
     top.add_argument("--version", action="version", version=f"footfall {VERSION}")
     commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
     _add_runs(commands)
@@ -36,20 +77,18 @@ def parser() -> argparse.ArgumentParser:
 def _add_runs(commands: argparse._SubParsersAction) -> None:
     """Commands that let characters walk."""
     wander = commands.add_parser("wander", help="wander through a forest (the default)")
-    wander.add_argument("level", nargs="?", default="forest", help="a level that ships, or a .toml file")
+    wander.add_argument("level", nargs="?", help="a level that ships, or a .toml file")
     river = commands.add_parser("river", help="cross a river on its rocks")
-    river.add_argument("level", nargs="?", default="river_easy", help="a level that ships, or a .toml file")
+    river.add_argument("level", nargs="?", help="a level that ships, or a .toml file")
     play = commands.add_parser("play", help="play a scripted scene: footprints from a file")
-    play.add_argument(
-        "level", nargs="?", default="fig01_steps_and_a_hop", metavar="SCENE", help="a scene that ships, or a .toml file"
-    )
+    play.add_argument("level", nargs="?", metavar="SCENE", help="a scene that ships, or a .toml file")
     play.add_argument("--list", action="store_true", help="name the scenes that ship")
     for job in (wander, river, play):
         _common(job)
     for job in (wander, river):
         job.add_argument("--save", metavar="STATE.npz", help="the state at the end, to go on from")
         job.add_argument("--restore", metavar="STATE.npz", help="go on from a saved state; --seconds counts from its beginning")
-    play.set_defaults(save=None, restore=None, character=None)
+    play.set_defaults(save=None, restore=None)
 
 
 def _add_reports(commands: argparse._SubParsersAction) -> None:
@@ -61,7 +100,7 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     measure.add_argument("recording", metavar="RUN.npz")
     measure.add_argument("--json", action="store_true")
     measure.add_argument("--plot", metavar="OUT.png", help="draw com, costs, joints, stances over time (.png, .svg, .pdf)")
-    measure.add_argument("--character-index", type=int, default=0, metavar="C", help="of the character to draw, from 0")
+    measure.add_argument("--character-index", type=_index, default=0, metavar="C", help="of the character to draw, from 0")
     measure.add_argument("--between", type=float, nargs=2, metavar=("T0", "T1"), help="draw only these seconds")
     timing = commands.add_parser("timing", help="the automatic timing over the step length")
     timing.add_argument("--character", help="bird, dinosaur, human, ostrich, or a .toml file; without it every one that ships")
@@ -78,9 +117,9 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
 
 
 def _common(job: argparse.ArgumentParser) -> None:
-    job.add_argument("--character", default="bird", help="bird, dinosaur, human, ostrich, or a .toml file")
-    job.add_argument("--characters", type=_positive, default=1, metavar="N", help="how many")
-    job.add_argument("--seed", type=_seed, default=0)
+    job.add_argument("--character", help="bird, dinosaur, human, ostrich, or a .toml file")
+    job.add_argument("--characters", type=_positive, metavar="N", help="how many")
+    job.add_argument("--seed", type=_seed, help="of chance; the same one is the same run")
     job.add_argument("--headless", action="store_true", help="no window")
     job.add_argument("--seconds", type=_seconds, metavar="T", help="simulated seconds, then end")
     job.add_argument("--record", metavar="RUN.npz")
@@ -103,6 +142,10 @@ def _positive(text: str) -> int:
     if not 1 <= value <= 100_000:
         raise argparse.ArgumentTypeError(f"{text}: {allowed} is allowed")
     return value
+
+
+def _index(text: str) -> int:
+    return int(_number(text, int, "a whole number, from 0,"))
 
 
 def _seed(text: str) -> int:

@@ -1,36 +1,40 @@
 """`measure`, `timing`, `literature` and `bench`: figures, as words, numbers or pictures."""
 
 import json
+import os
 from types import ModuleType
 from typing import Any
 
 from motion.characters.character import character_names, load_character
-from sim.cli.show import writable
 from sim.cli.status import DONE
+from sim.files import outputs
 from sim.files.recording import load_recording
 from sim.reports import literature, measured, timings
 from sim.reports.measure import measure
+from worlds.compiled.telling import tell
 from worlds.errors import InputError
 
 
 def measured_run(options: Any) -> int:
     """The quality of a recorded run."""
     recording = load_recording(options.recording)
-    writable(options.plot)
+    _check_plot(options.plot)
     report = measure(recording)
     if options.plot:
         _plots().plot_run(recording, options.character_index, options.plot, options.between)
+        _say_plot(options)
     print(json.dumps(report) if options.json else measured.in_words(report))
     return DONE
 
 
 def timing(options: Any) -> int:
     """The automatic timing as a table, numbers or a figure."""
-    writable(options.plot)
+    _check_plot(options.plot)
     characters = [load_character(name) for name in ([options.character] if options.character else character_names())]
     tables = {character.name: timings.timing_table(character) for character in characters}
     if options.plot:
         _plots().plot_timings(tables, options.plot)
+        _say_plot(options)
     if options.json or not options.plot:
         print(json.dumps(tables) if options.json else timings.in_words(tables))
     return DONE
@@ -47,13 +51,25 @@ def bench(options: Any) -> int:
     """Speed against other solvers."""
     from sim.bench import report
 
-    if options.plot:
-        _plots().writable_kind(options.plot)
+    _check_plot(options.plot)
     results = report.run(options.quick)
     if options.plot:
         _plots().plot_crowds(results["crowd"], options.plot)
+        _say_plot(options)
     print(json.dumps(results) if options.json else report.in_words(results))
     return DONE
+
+
+def _check_plot(path: str | None) -> None:
+    """Before any work is done: raises InputError where the figure could not be drawn or written."""
+    outputs.check({"--plot": path})
+    if path is not None:
+        _plots().writable_kind(path)
+
+
+def _say_plot(options: Any) -> None:
+    """Where the figure is."""
+    tell(f"wrote {os.path.abspath(options.plot)}")
 
 
 def _plots() -> ModuleType:

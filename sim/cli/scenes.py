@@ -6,6 +6,7 @@ from typing import Any
 
 from motion.characters.character import load_character
 from planner.script.scene import load_scene, scene_names
+from sim.cli import agreeing
 from sim.cli.show import show
 from sim.cli.status import BAD_INPUT, DONE
 from sim.stage.performance import Performance
@@ -21,6 +22,11 @@ def play(options: Any) -> int:
             print(f"{name:24}{load_scene(name).about}")
         return DONE
 
+    agreeing.scene(options)
+    load_scene(options.level)
+    if options.character:
+        load_character(options.character)
+
     def make(scene: str = options.level, character: str | None = options.character, seed: int = 0) -> Performance:
         return Performance(load_scene(scene), load_character(character) if character else None)
 
@@ -33,9 +39,14 @@ def sheets(options: Any) -> int:
     from sim.view.pictures.sheet import write_index, write_sheets
 
     folder = Path(options.folder)
-    folder.mkdir(parents=True, exist_ok=True)
+    names = options.scenes or scene_names()
+    scenes = {Path(name).stem: load_scene(name) for name in names}
     try:
-        paths = write_sheets({Path(n).stem: Performance(load_scene(n)) for n in options.scenes or scene_names()}, folder)
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"--folder {folder}: cannot be made: {error.strerror}") from None
+    try:
+        paths = write_sheets({name: Performance(scene) for name, scene in scenes.items()}, folder)
     except NoGL as error:
         raise InputError(f"contact sheets: {HINT} ({error})") from None
     if not options.scenes:

@@ -5,84 +5,92 @@ import os
 import sys
 import time
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
-from sim.files.recording import Recorder
-from sim.files.saving import restore, save
+from sim.cli import agreeing, stopping
+from sim.cli.status import BAD_INPUT, DONE
+from sim.files.saving import restore
 from sim.stage.cast import Cast
 from sim.stage.run import run as run_headless
-from sim.stage.simulation import Simulation
 from sim.stage.warmup import warm_up
+from sim.view.pictures.results import Results, Wanted
+from worlds.compiled.telling import tell
 from worlds.errors import InputError
 
 HEADLESS_SECONDS = 20.0
+NO_DISPLAY = "There is no display: running headless."
 LEFT_BEHIND = ("footfall.png", "footfall.npz")
 """Picture and recording left where there is no display and nothing else was asked for."""
 
 
 def show(options: Any, make: Callable[..., Cast], names: list[str], saved: str | None = None) -> int:
     """Runs what `make` makes, or what was saved, in a window where there is one; `names` are what the window can go on to."""
-    writable(options.record, options.screenshot, options.video, options.save)
+    windowed = not options.headless and _has_display()
+    wanted = _wanted(options, windowed)
+    wanted.check()
+    if windowed and wanted.video is not None:
+        raise InputError(f"--video {wanted.video}: films are made without a window: add --headless")
     begin = time.perf_counter()
-    warm_up(options.command, lambda line: print(line, file=sys.stderr, flush=True))
-    sim = restore(saved) if saved else make()
+    warm_up(options.command, tell)
+    sim = _restored(options, saved) if saved else make()
     if saved and options.seconds and options.seconds <= sim.time:
         raise InputError(f"--seconds {options.seconds:g}: {saved} is at {sim.time:g} s already; give a later time")
     sim.snapshot()
     if not options.json:
-        print(f"Ready after {time.perf_counter() - begin:.1f} s.", file=sys.stderr, flush=True)
-    if options.headless or not _has_display():
-        return _headless(options, sim)
+        tell(f"Ready after {time.perf_counter() - begin:.1f} s.")
+    if not windowed:
+        return _headless(options, sim, wanted)
     from sim.view.window.window import run_window
 
-    return run_window(make, sim, options, names)
+    with stopping.between_ticks():
+        return run_window(make, sim, options, names, wanted, stopping.asked)
 
 
-def writable(*paths: str | None) -> None:
-    """Raises InputError where a folder that is to be written to is not there or not ours."""
-    for path in filter(None, paths):
-        folder = Path(path).resolve().parent
-        if not folder.is_dir() or not os.access(folder, os.W_OK):
-            raise InputError(f"{path}: the folder {folder} does not exist or cannot be written")
+def _restored(options: Any, path: str) -> Cast:
+    """The saved simulation, if it is what was asked for; else raises InputError."""
+    sim = restore(path)
+    agreeing.restored(options, sim)
+    return sim
+
+
+def _wanted(options: Any, windowed: bool) -> Wanted:
+    """What the run is to leave; where there is no display and nothing was asked for, a picture and a recording."""
+    wanted = Wanted(options.record, options.screenshot, options.video, options.save, options.size)
+    if options.headless or windowed:
+        return wanted
+    named = [f"{name}={os.environ[name]}" for name in ("DISPLAY", "WAYLAND_DISPLAY") if os.environ.get(name)]
+    tell(f"{', '.join(named)}: no display answers there; running headless." if named else NO_DISPLAY)
+    if any(name is not None for name in wanted[:3]):
+        return wanted
+    picture, record = LEFT_BEHIND
+    return wanted._replace(screenshot=picture, record=record)
 
 
 def _has_display() -> bool:
     if os.environ.get("SDL_VIDEODRIVER"):
         return os.environ["SDL_VIDEODRIVER"] != "dummy"
-    return sys.platform in ("win32", "darwin") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+    if sys.platform in ("win32", "darwin"):
+        return True
+    if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        return False
+    from sim.view.window.window import opens
+
+    return opens()
 
 
-def _headless(options: Any, sim: Cast) -> int:
-    """Runs without a window; leaves what was asked for, or a picture and a recording."""
-    picture, record = options.screenshot, options.record
-    if not options.headless and not (picture or record or options.video):
-        print("There is no display: running headless.", file=sys.stderr)
-        picture, record = LEFT_BEHIND
-    recorder, video = Recorder(sim) if record else None, None
-    if recorder:
-        recorder.capture()
-    if options.video:
-        from sim.view.pictures.offscreen import VideoWriter
-
-        video = VideoWriter(sim, options.video, options.size)
-    try:
-        until = options.seconds or getattr(sim, "end", sim.time + HEADLESS_SECONDS)
-        watching = ([recorder.capture] if recorder else []) + ([video.add] if video else [])
-        summary = run_headless(sim, until, *watching, quiet=options.json)
-    finally:
-        if video:
-            video.close()
-    if recorder:
-        recorder.save(record)
-    if picture:
-        from sim.view.pictures.offscreen import render_image
-
-        render_image(sim, picture, options.size)
-    if options.save and isinstance(sim, Simulation):
-        save(sim, options.save)
-    _tell(options, summary, [name for name in (picture, record, options.video, options.save) if name])
-    return 0
+def _headless(options: Any, sim: Cast, wanted: Wanted) -> int:
+    """Runs without a window; leaves what was asked for, or what there is so far where it is stopped."""
+    until = options.seconds or getattr(sim, "end", sim.time + HEADLESS_SECONDS)
+    with stopping.between_ticks():
+        results = Results(wanted, sim)
+        try:
+            summary = run_headless(sim, until, lambda: results.follow(sim), quiet=options.json, stop=stopping.asked)
+            results.end(sim)
+        except Exception:
+            results.end(sim)
+            raise
+        _tell(options, summary, results.done)
+    return BAD_INPUT if results.faults else DONE
 
 
 def _tell(options: Any, summary: dict, files: list[str]) -> None:
@@ -94,4 +102,4 @@ def _tell(options: Any, summary: dict, files: list[str]) -> None:
         + (f", goal reached after {summary['seconds_to_goal']:.1f} s" if summary["reached_goal"] else "")
     )
     for name in files:
-        print(f"wrote {Path(name).resolve()}")
+        print(f"wrote {os.path.abspath(name)}")

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from sim.cli import agreeing
 from sim.cli.show import show
 from sim.stage.making import make_simulation
 from sim.stage.simulation import Simulation
@@ -10,6 +11,7 @@ from worlds.level import level_names
 
 def walk(options: Any) -> int:
     """Wandering, or crossing to a goal."""
+    agreeing.run(options)
 
     def make(level: str = options.level, character: str = options.character, seed: int = options.seed) -> Simulation:
         return make_simulation(level, character, options.characters, seed, options.command == "river")

@@ -1,7 +1,6 @@
 """Files of arrays: .npz without pickles, with a JSON string `meta`, written whole or not at all."""
 
 import json
-import os
 import zipfile
 import zlib
 from pathlib import Path
@@ -9,23 +8,22 @@ from typing import Any
 
 import numpy as np
 
+from sim.files import outputs
 from worlds.errors import InputError
 
 Arrays = dict[str, np.ndarray]
+_UNREADABLE = (
+    ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error, KeyError, TypeError, SyntaxError, OverflowError,
+    RuntimeError, MemoryError,
+)  # fmt: skip
+"""What zipfile and numpy raise for files that are damaged, encrypted, or declare more than any memory holds."""
 
 
 def write(path: str | Path, arrays: Arrays, meta: dict, compressed: bool = True) -> None:
     """Writes arrays and meta. Raises InputError where that cannot be done; nothing is left half written."""
-    path = Path(path)
-    temporary = path.with_name(path.name + ".part")
     save = np.savez_compressed if compressed else np.savez
-    try:
-        with open(temporary, "wb") as file:
-            save(file, allow_pickle=False, **arrays, meta=np.array(json.dumps(meta, sort_keys=True)))  # type: ignore[arg-type]
-        os.replace(temporary, path)
-    except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+    with outputs.whole(path) as temporary, open(temporary, "wb") as file:
+        save(file, allow_pickle=False, **arrays, meta=np.array(json.dumps(meta, sort_keys=True)))  # type: ignore[arg-type]
 
 
 def read(path: str | Path, what: str, hint: str, needed: tuple[str, ...], form: int) -> tuple[Arrays, dict]:
@@ -36,11 +34,13 @@ def read(path: str | Path, what: str, hint: str, needed: tuple[str, ...], form: 
     path = Path(path)
     if not path.is_file():
         raise InputError(f"{path}: no such file; {what} is made with {hint}")
+    if not zipfile.is_zipfile(path):
+        raise InputError(f"{path}: is not readable as {what}: it is no .npz file, or was cut short")
     try:
         with np.load(path, allow_pickle=False) as file:
             arrays = {name: file[name] for name in file.files}
         meta = json.loads(str(arrays.pop("meta"))) if "meta" in arrays else None
-    except (ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error, KeyError, TypeError, NotImplementedError) as error:
+    except _UNREADABLE as error:
         raise InputError(f"{path}: is not readable as {what} ({error})") from None
     missing = [name for name in needed if name not in arrays]
     if missing or not isinstance(meta, dict):

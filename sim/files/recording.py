@@ -10,6 +10,7 @@ import numpy as np
 
 from motion.pose.pose import Pose
 from sim.files import archive
+from sim.files.frames import Frames
 from sim.stage.cast import Cast, Change
 from sim.stage.commands import Recast, from_plain
 from sim.stage.edits import Edit
@@ -22,22 +23,25 @@ NEEDED = ("time", "com", "contact", "phase", "physics_cost", "footprint_position
 
 
 class Recorder:
-    """Collects frames of a simulation. Memory grows with the frames: about 600 bytes per character and frame."""
+    """Collects frames of a simulation, about 2 KB per character and frame: beyond some megabytes in a file without a name."""
 
-    def __init__(self, sim: Cast) -> None:
+    def __init__(self, sim: Cast, folder: str | Path | None = None) -> None:
+        """folder: where the file without a name lies, by default where temporary files do."""
         self.sim = sim
         sim.keep_footprints()
         self.time: list[float] = []
-        self.poses: list[Pose] = []
+        self._poses = {name: Frames(folder) for name in Pose._fields}
 
     def capture(self, time: float | None = None) -> None:
         """Adds the present moment, or another of the last step [s], as a frame."""
-        self.time.append(self.sim.time if time is None else time)
-        self.poses.append(self.sim.snapshot(self.time[-1]))
+        time = self.sim.time if time is None else time
+        for frames, values in zip(self._poses.values(), self.sim.snapshot(time), strict=True):
+            frames.add(values)
+        self.time.append(time)
 
     def arrays(self) -> dict[str, np.ndarray]:
         """All arrays of the file (names and shapes in README, Recordings)."""
-        frames = {name: np.array([getattr(pose, name) for pose in self.poses]) for name in Pose._fields}
+        frames = {name: frames.array(len(self.time)) for name, frames in self._poses.items()}
         world = self.sim.world
         return {
             "time": np.array(self.time),

@@ -45,6 +45,7 @@ def _meta(sim: Simulation) -> dict:
         "seed": sim.seed,
         "steps": sim.footprints.steps,
         "recasts": sim.footprints.recasts.tolist(),
+        "distance": sim.distance.tolist(),
         "world": sim.world.to_dict(),
         "first_world": sim.first_world.to_dict() if sim.first_world is not sim.world else None,
         "kinds": [{"dimensions": kind.to_dict(), "look": kind.look.model_dump()} for kind in sim.kinds],
@@ -90,6 +91,7 @@ def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulat
         State(meta["ticks"], crowd, plans),
     )  # fmt: skip
     sim.changes = [Change(**change) for change in meta["changes"]]
+    sim.distance[:] = meta["distance"]
     if meta["first_world"] is not None:
         sim.first_world = World.from_dict(meta["first_world"])
     kept = {name: array for name, array in arrays.items() if name.startswith(LOG)}

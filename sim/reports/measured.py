@@ -2,6 +2,20 @@
 
 import numpy as np
 
+_WORST = {
+    "stance_slide": ("slide", 1e3, "mm a frame"), "skate": ("skate", 1e3, "mm a stance"),
+    "footprint_error": ("off the footprint", 1e3, "mm"), "contact_error": ("contacts off", 1.0, "ticks"),
+    "penetration": ("penetration", 1e3, "mm"), "overreach": ("overreach", 1e3, "mm"),
+    "flight_residual": ("flight |a - g|", 1.0, "m/s^2"), "physics_cost_error": ("physics cost off", 1.0, "m/s^2"),
+    "swing_clearance": ("clearance of the toe", 1e3, "mm"), "clearance_share": ("of the sole", 100.0, "% of the leg"),
+    "shank_gap": ("shanks apart", 1e3, "mm"), "tree_distance": ("nearest tree", 1.0, "m"),
+    "water_distance": ("water", 1.0, "m"), "border_distance": ("border", 1.0, "m"), "speed": ("slowest", 1.0, "m/s"),
+    "mean_physics_cost": ("mean physics cost", 1.0, "m/s^2"),
+    **{f"{name}_acceleration_ratio": (f"{name} peak", 1.0, "times its 99th percentile")
+       for name in ("hip", "knee", "hock", "ankle")},
+}  # fmt: skip
+"""The words of the figures of which the worst is told, and how they are counted."""
+
 
 def in_words(report: dict) -> str:
     """The report for people."""
@@ -11,8 +25,14 @@ def in_words(report: dict) -> str:
     if len(report["characters"]) > 10:
         lines.append(f"  ... and {len(report['characters']) - 10} more (all of them with --json)")
     known = {key: value for key, value in report["worst"].items() if value is not None}
-    lines.append("  worst: " + ", ".join(f"{key} {value:.4g}" for key, value in known.items()))
+    lines.append("  worst of all: " + ", ".join(_worst_in_words(key, value) for key, value in known.items()))
     return "\n".join(lines)
+
+
+def _worst_in_words(key: str, value: float) -> str:
+    """A figure of the worst with its words and unit."""
+    words, scale, unit = _WORST.get(key, (key.replace("_", " "), 1.0, ""))
+    return f"{words} {_said(value, scale, unit)}"
 
 
 def _character_in_words(one: dict) -> list[str]:

@@ -1,6 +1,5 @@
 """Figures by matplotlib (the extra `plots`): a recorded run over time, and the automatic timing over the step length."""
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +13,7 @@ from motion.measures import gait, joints
 from motion.track import phases
 from motion.track.footprints import SIDES as SIDE_NAMES
 from motion.track.footprints import Footprints
+from sim.files import outputs
 from sim.files.recording import Recording
 from sim.palette import PHASES
 from sim.reports.measure import footprints_of, frames_of
@@ -206,12 +206,6 @@ def writable_kind(path: str | Path) -> None:
 
 def _write(figure: Figure, path: str | Path) -> None:
     """Writes the figure whole or not at all; the kind of file is that of its name."""
-    path = Path(path)
     writable_kind(path)
-    temporary = path.with_name(path.name + ".part")
-    try:
-        figure.savefig(temporary, format=path.suffix[1:].lower(), dpi=120)
-        os.replace(temporary, path)
-    except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from None
+    with outputs.whole(path) as temporary:
+        figure.savefig(temporary, format=Path(path).suffix[1:].lower(), dpi=120)

@@ -44,6 +44,8 @@ class Cast:
         self.crowd = crowds.empty_crowd(kind, **capacity)
         self.footprints = FootprintLog(len(self.characters))
         self.changes: list[Change] = []
+        self.distance = np.zeros(len(self.characters))
+        """How far each has gone [m], where a run watches (sim.stage.run); saved and restored."""
         self._shown: Held[posing.Shown] | None = None
         self.first_world, self.first_characters = world, list(characters)
 

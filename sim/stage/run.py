@@ -1,18 +1,24 @@
 """A headless run: ticks, a progress bar, a summary."""
 
-import sys
 from collections.abc import Callable
 
 import numpy as np
 
 from sim.stage.cast import Cast
+from worlds.compiled.telling import tell
 
 STANDS_STILL = 2.0
 """A run to a goal ends this long [s] after everyone has reached it."""
 
 
-def run(sim: Cast, seconds: float, *after_tick: Callable[[], None], quiet: bool = False) -> dict:
-    """Ticks for `seconds` of simulated time, or until all reached their goal; returns the summary.
+def _never() -> bool:
+    return False
+
+
+def run(
+    sim: Cast, seconds: float, *after_tick: Callable[[], None], quiet: bool = False, stop: Callable[[], bool] = _never
+) -> dict:
+    """Ticks until `seconds` of simulated time, until all reached their goal, or until `stop` says so; returns the summary.
 
     Each of after_tick is called after every tick. The bar goes to stderr.
     """
@@ -25,16 +31,17 @@ def run(sim: Cast, seconds: float, *after_tick: Callable[[], None], quiet: bool 
         watch.look()
         if not quiet and (k % 30 == 0 or k == ticks - 1):
             _bar((k + 1) / ticks)
-        if sim.over or (watch.all_there_since is not None and sim.time - watch.all_there_since > STANDS_STILL):
+        if stop() or sim.over or (watch.all_there_since is not None and sim.time - watch.all_there_since > STANDS_STILL):
             break
     if not quiet:
-        print(file=sys.stderr)
+        tell("")
+    watch.measure()
     return watch.summary()
 
 
 def _bar(share: float) -> None:
     full = int(30 * share)
-    print(f"\r  [{'#' * full}{'.' * (30 - full)}] {share:4.0%}", end="", file=sys.stderr, flush=True)
+    tell(f"\r  [{'#' * full}{'.' * (30 - full)}] {share:4.0%}", end="")
 
 
 class _Watch:
@@ -42,17 +49,19 @@ class _Watch:
 
     def __init__(self, sim: Cast) -> None:
         self.sim = sim
-        self.distance = np.zeros(len(sim.characters))
         self.last = sim.snapshot().com[:, :2]
         self.reached = np.full(len(sim.characters), np.nan)
         self.all_there_since: float | None = None
 
     def look(self) -> None:
         """After a tick: six times a simulated second is enough for distances and goals."""
-        if self.sim.ticks % 10:
-            return
+        if self.sim.ticks % 10 == 0:
+            self.measure()
+
+    def measure(self) -> None:
+        """How far everyone has come since it was last measured, and whether they are there."""
         com = self.sim.snapshot().com[:, :2]
-        self.distance += np.linalg.norm(com - self.last, axis=1)
+        self.sim.distance += np.linalg.norm(com - self.last, axis=1)
         self.last = com
         there = self.sim.reached_goal
         self.reached[there & np.isnan(self.reached)] = self.sim.time
@@ -67,7 +76,7 @@ class _Watch:
             "seed": self.sim.seed,
             "seconds": self.sim.time,
             "steps": self.sim.footprints.steps,
-            "distance": float(self.distance.mean()),
+            "distance": float(self.sim.distance.mean()),
             "reached_goal": bool(there.all()),
             "seconds_to_goal": float(self.reached.max()) if there.all() else None,
         }

@@ -14,6 +14,10 @@ from pathlib import Path
 import llvmlite.binding
 import numba
 
+from worlds.compiled import leaving
+from worlds.compiled.jit import start_threads
+from worlds.compiled.telling import be_quiet, compiling, tell
+
 ROOT = Path(__file__).resolve().parents[2]
 LIVE, SHOWN = ("window solve", "tick of the crowd"), ("poses", "standing", "ground")
 NEEDED = {
@@ -28,22 +32,32 @@ def warm_up(command: str, tell: Callable[[str], None]) -> None:
     """Compiles what the command needs, where it has not been yet; tell is called with a line for each kernel."""
     ours, theirs = NEEDED[command]
     stamp = _stamp(command)
-    if stamp.exists():
+    if stamp is None or stamp.exists():
         return
+    start_threads()  # before there are two who would complain
     names = (*ours, *theirs)
-    helper = subprocess.Popen([sys.executable, "-m", "sim.stage.warmup", ",".join(names), ",".join(theirs)], cwd=ROOT)
+    helper = subprocess.Popen(
+        [sys.executable, "-m", "sim.stage.warmup", ",".join(names), ",".join(theirs)],
+        cwd=ROOT,
+        start_new_session=os.name == "posix",  # Ctrl-C is ours: we end it
+    )
+    leaving.remember(helper, helper.terminate)
     try:
-        _compile(names, ours, tell)
-        helper.wait()
+        with compiling():
+            _compile(names, ours, tell)
+            helper.wait()
     finally:
         if helper.poll() is None:
             helper.terminate()
+        leaving.forget(helper)
     if stamp.parent.is_dir():
         stamp.touch()
 
 
-def _stamp(command: str) -> Path:
-    """A file that is there once the command's kernels lie in the cache."""
+def _stamp(command: str) -> Path | None:
+    """A file that is there once the command's kernels lie in the cache; None where nothing is kept."""
+    if "NUMBA_CACHE_DIR" not in os.environ:
+        return None
     made_for = f"{numba.__version__}-{llvmlite.binding.get_host_cpu_name()}-{sys.version_info.major}{sys.version_info.minor}"
     return Path(os.environ["NUMBA_CACHE_DIR"]) / f"warm-{command}-{made_for}"
 
@@ -59,5 +73,6 @@ def _compile(names: tuple[str, ...], mine: tuple[str, ...], tell: Callable[[str]
 
 
 if __name__ == "__main__":
+    be_quiet()
     every, some = (tuple(names.split(",")) for names in sys.argv[1:])
-    _compile(every, some, lambda line: print(line, file=sys.stderr, flush=True))
+    _compile(every, some, tell)

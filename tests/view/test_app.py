@@ -119,3 +119,25 @@ def test_real_events_drive_a_window(monkeypatch, app):
         screen.draw(app)
     finally:
         pygame.display.quit()
+
+
+def test_a_goal_for_a_wanderer_is_said_to_lead_nobody():
+    from sim.view.window.app import App
+
+    def make(level="forest", character="bird", seed=0):
+        return make_simulation(level, character, 1, seed, False)
+
+    app = App(make, make(), argparse.Namespace(level="forest", character="bird", seed=0), ["forest"])
+    app.edit("g", 20.0, 20.0)
+    assert app.sim.world.goal == (20.0, 20.0) and "makes for no goal" in app.message
+
+
+def test_the_window_asks_for_a_profile_that_every_machine_has():
+    import pygame
+
+    from sim.view.window.screen import context_attributes
+
+    asked = context_attributes(pygame)
+    assert asked[pygame.GL_CONTEXT_PROFILE_MASK] == pygame.GL_CONTEXT_PROFILE_CORE
+    assert asked[pygame.GL_CONTEXT_FLAGS] == pygame.GL_CONTEXT_FORWARD_COMPATIBLE_FLAG
+    assert (asked[pygame.GL_CONTEXT_MAJOR_VERSION], asked[pygame.GL_CONTEXT_MINOR_VERSION]) == (3, 3)

@@ -7,21 +7,35 @@ import os
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from worlds.compiled import cache
+from worlds.compiled import cache, telling
+from worlds.errors import InputError
 
-os.environ.setdefault("NUMBA_CACHE_DIR", str(cache.folder()))
+_FOLDER = os.environ.get("NUMBA_CACHE_DIR") or cache.folder()
+"""Where compiled kernels are kept; None where no folder is ours alone."""
+if _FOLDER is not None:
+    os.environ["NUMBA_CACHE_DIR"] = str(_FOLDER)
 os.environ.setdefault("NUMBA_THREADING_LAYER", "workqueue")
 
-import numba  # noqa: E402  (the cache folder is read at import)
-from llvmlite import ir  # noqa: E402
-from numba.core import cgutils, types  # noqa: E402
-from numba.extending import intrinsic as _intrinsic  # noqa: E402
+try:
+    import numba
+    from llvmlite import ir
+    from numba.core import cgutils, event, types
+    from numba.core.caching import NullCache
+    from numba.core.ccallback import CFunc
+    from numba.extending import intrinsic as _intrinsic
+except (ImportError, ValueError) as error:
+    asked = ", ".join(f"{name}={value}" for name, value in sorted(os.environ.items()) if name.startswith("NUMBA_NUM"))
+    raise InputError(f"numba, which compiles Footfall, does not start: {error} {asked}".rstrip()) from None
+if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
+    raise InputError("NUMBA_DISABLE_JIT is set: Footfall's kernels are compiled, or nothing; unset it")
+
+from worlds.compiled.kept import Kept  # noqa: E402  (it needs numba)
 
 # Where numba was imported before, it has not read them.
-numba.config.CACHE_DIR = os.environ["NUMBA_CACHE_DIR"]  # type: ignore[attr-defined]
+numba.config.CACHE_DIR = str(_FOLDER or "")  # type: ignore[attr-defined]
 numba.config.THREADING_LAYER = os.environ["NUMBA_THREADING_LAYER"]  # type: ignore[attr-defined]
 
-_OWNING: dict[str, Any] = {"cache": True, "error_model": "numpy", "nogil": True, "_nrt": True}
+_OWNING: dict[str, Any] = {"error_model": "numpy", "nogil": True, "_nrt": True}
 BORROWING: dict[str, Any] = _OWNING | {"_nrt": False}
 
 Kernel = TypeVar("Kernel", bound=Callable)
@@ -29,13 +43,46 @@ intrinsic: Callable[[Callable], Callable[..., Any]] = _intrinsic
 """For functions that write the compiler's code: they are called without the first argument that they are written with."""
 
 
+class _Told(event.Listener):  # type: ignore[misc]
+    """Hears from numba what is compiled, so that nobody waits in silence."""
+
+    def on_start(self, event: Any) -> None:
+        telling.begin()
+
+    def on_end(self, event: Any) -> None:
+        telling.end()
+
+
+event.register("numba:compile", _Told())
+
+
+def _kept(kernel: Callable) -> Any:
+    """Where what is compiled of a function is kept: nowhere for one that was typed in at a prompt, or without a folder."""
+    try:
+        return NullCache() if _FOLDER is None else Kept(kernel)
+    except (RuntimeError, OSError, TypeError):
+        return NullCache()
+
+
 def _compiler(**options: Any) -> Callable[[Kernel], Kernel]:
     """A decorator that compiles with these options, and is plain to the type checker."""
 
     def decorate(kernel: Kernel) -> Kernel:
-        return numba.njit(**options)(kernel)
+        compiled = numba.njit(**options)(kernel)
+        compiled._cache = _kept(kernel)
+        return compiled
 
     return decorate
+
+
+def compiled_callback(kernel: Callable, signature: Any) -> Any:
+    """A kernel that is called by its address (worlds.compiled.parts), of this signature; it makes no arrays."""
+    options = {name: value for name, value in BORROWING.items() if name != "nogil"}
+    made = CFunc(kernel, (signature.args, signature.return_type), locals={}, options=options)
+    made._cache = _kept(kernel)  # type: ignore[attr-defined]
+    with telling.compiling():
+        made.compile()
+    return made
 
 
 jit = _compiler(**_OWNING)
@@ -51,10 +98,7 @@ jit_parallel = _compiler(**_OWNING, parallel=True)
 
 def kernel_of(function: Kernel) -> Kernel:
     """jit_borrowing, also of a function that was typed in at a prompt, which has no file to be kept beside."""
-    try:
-        return jit_borrowing(function)
-    except RuntimeError:
-        return _compiler(**(BORROWING | {"cache": False}))(function)
+    return jit_borrowing(function)
 
 
 def start_threads() -> None:
@@ -63,7 +107,11 @@ def start_threads() -> None:
     numba starts them when it loads a parallel kernel, but not when it loads one that calls it, if that was compiled while the
     parallel one came from the cache (a first start that was cut short, or two at once): its calls would lead nowhere.
     """
-    numba.get_num_threads()
+    try:
+        numba.get_num_threads()
+    except (ValueError, ImportError) as error:
+        layer, reason = os.environ["NUMBA_THREADING_LAYER"], str(error).splitlines()[0]
+        raise InputError(f"NUMBA_THREADING_LAYER={layer}: numba has no such threads here ({reason}); unset it") from None
 
 
 def stack_array(rows: int, columns: int) -> Any:

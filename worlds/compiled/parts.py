@@ -12,7 +12,7 @@ import numba
 from llvmlite import ir
 from numba.core import cgutils, types
 
-from worlds.compiled.jit import BORROWING, intrinsic
+from worlds.compiled.jit import compiled_callback, intrinsic
 
 
 class Part:
@@ -24,12 +24,7 @@ class Part:
     @cached_property
     def address(self) -> int:
         """Where it lies; compiled, or loaded from the cache, the first time that one asks."""
-        options = {name: value for name, value in BORROWING.items() if name != "nogil"}
-        signature = types.void(*[types.int64] * self.numbers)
-        try:
-            self._kept_alive = numba.cfunc(signature, **options)(self.kernel)  # type: ignore[arg-type]
-        except RuntimeError:  # no file to keep it beside: typed in at a prompt
-            self._kept_alive = numba.cfunc(signature, **(options | {"cache": False}))(self.kernel)  # type: ignore[arg-type]
+        self._kept_alive = compiled_callback(self.kernel, types.void(*[types.int64] * self.numbers))
         return self._kept_alive.address or 0
 
     def compile(self, signature: tuple = ()) -> int:

@@ -1,20 +1,24 @@
-"""Pictures and films without a window, through the same renderer."""
+"""Pictures without a window, through the same renderer."""
 
-import os
 from pathlib import Path
 
 import numpy as np
 from PIL import Image
 
+from sim.files import outputs
 from sim.stage.cast import Cast
 from sim.view.graphics.camera import Camera
 from sim.view.graphics.gl import NoGL, offscreen_context
 from sim.view.graphics.quality import Quality
 from sim.view.pictures.renderer import Renderer
+from worlds.compiled.telling import tell
 from worlds.errors import InputError
 
-FILM_RATE = 30
-"""Frames per second of a film."""
+ENDINGS = {
+    ".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG", ".webp": "WEBP", ".bmp": "BMP", ".gif": "GIF", ".tif": "TIFF",
+    ".tiff": "TIFF", ".ppm": "PPM", ".pdf": "PDF",
+}  # fmt: skip
+"""Kinds of pictures by the endings of their names."""
 
 
 class Picture:
@@ -49,15 +53,21 @@ class Picture:
 
 def save_image(pixels: np.ndarray, path: str | Path) -> None:
     """Writes a picture, whole or not at all. Raises InputError."""
-    path = Path(path)
-    temporary = path.with_name(path.name + ".part")
     try:
-        format = Image.registered_extensions().get(path.suffix.lower(), "PNG")
-        Image.fromarray(pixels).save(temporary, format=format, quality=90)
-        os.replace(temporary, path)
-    except (OSError, ValueError, KeyError) as error:
-        temporary.unlink(missing_ok=True)
-        raise InputError(f"{path}: the picture cannot be written: {error}") from None
+        with outputs.whole(path) as temporary:
+            Image.fromarray(pixels).save(temporary, format=kind_of(path), quality=90)
+    except (ValueError, KeyError) as error:
+        raise (
+            error if isinstance(error, InputError) else InputError(f"{path}: the picture cannot be written: {error}")
+        ) from None
+
+
+def kind_of(path: str | Path) -> str:
+    """The kind of picture that a name asks for; PNG where it has no ending. Raises InputError for unknown ones."""
+    ending = Path(path).suffix.lower()
+    if ending and ending not in ENDINGS:
+        raise InputError(f"{path}: a picture's name must end in {', '.join(ENDINGS)}")
+    return ENDINGS.get(ending, "PNG")
 
 
 def render_image(sim: Cast, path: str | Path, size: tuple[int, int]) -> None:
@@ -65,39 +75,8 @@ def render_image(sim: Cast, path: str | Path, size: tuple[int, int]) -> None:
     try:
         pixels = Picture(size).frame(sim)
     except NoGL as error:
-        import sys
-
         from sim.view.pictures.plan_view import plan_picture
 
-        print(error, file=sys.stderr)
+        tell(str(error))
         pixels = plan_picture(sim, size)
     save_image(pixels, path)
-
-
-class VideoWriter:
-    """A film of a run, 30 frames per simulated second. Needs the extra `video`."""
-
-    def __init__(self, sim: Cast, path: str, size: tuple[int, int]) -> None:
-        try:
-            import imageio_ffmpeg
-        except ImportError:
-            raise InputError(f"{path}: films need imageio-ffmpeg: pip install imageio-ffmpeg") from None
-        self.sim, self.path = sim, path
-        try:
-            self.picture = Picture(size)
-        except NoGL as error:
-            raise InputError(f"{path}: {error}") from None
-        self._every = max(sim.tick_rate // FILM_RATE, 1)
-        self._writer = imageio_ffmpeg.write_frames(
-            path, size, fps=sim.tick_rate / self._every, macro_block_size=2, quality=8, ffmpeg_log_level="error"
-        )
-        self._writer.send(None)
-
-    def add(self) -> None:
-        """After a tick: adds a frame when one is due."""
-        if self.sim.ticks % self._every == 0:
-            self._writer.send(np.ascontiguousarray(self.picture.frame(self.sim)))
-
-    def close(self) -> None:
-        """Ends the film."""
-        self._writer.close()

@@ -1,7 +1,6 @@
 """The plan view drawn by pygame alone: what is left where there is no OpenGL."""
 
 import itertools
-import os
 from typing import Any
 
 import numpy as np
@@ -21,8 +20,9 @@ def draw_plan(surface: Any, sim: Cast, trail: Trail, centre: np.ndarray, metres:
     scale = size[0] / metres
 
     def at(places: Any) -> np.ndarray:
-        """Pixels (N, 2) of places (N, 2 or more)."""
-        return (size / 2 + (np.reshape(places, (len(places), -1))[:, :2] - centre) * (scale, -scale)).astype(int)
+        """Pixels (N, 2) of places (N, 2 or more); of none where there are none."""
+        places = np.array([place[:2] for place in places], float).reshape(-1, 2)
+        return (size / 2 + (places - centre) * (scale, -scale)).astype(int)
 
     def stamp(places: Any, radius: int, colour: tuple[int, int, int]) -> None:
         disc = pygame.Surface((2 * radius + 1, 2 * radius + 1), pygame.SRCALPHA)
@@ -45,7 +45,6 @@ def draw_plan(surface: Any, sim: Cast, trail: Trail, centre: np.ndarray, metres:
 
 def plan_picture(sim: Cast, size: tuple[int, int]) -> np.ndarray:
     """(height, width, 3) uint8 plan view around the first character."""
-    os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
     import pygame
 
     surface = pygame.Surface(size)

@@ -7,6 +7,7 @@ from PIL import Image, ImageDraw
 
 from motion.arithmetic.rotations import yaw_of
 from planner.script.scene import load_scene, scene_names
+from sim.files import outputs
 from sim.stage.performance import Performance
 from sim.view.graphics.quality import Quality
 from sim.view.pictures.offscreen import Picture, save_image
@@ -58,5 +59,6 @@ def write_index(folder: Path) -> str:
         figure = f" (figure {scene.figure} of the paper)" if scene.figure else ""
         lines += ["", f"## {name}", "", f"{scene.about}{figure}", "", f"![{scene.name}]({name}.jpg)"]
     path = folder / "README.md"
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    with outputs.whole(path) as temporary:
+        temporary.write_text("\n".join(lines) + "\n", encoding="utf-8")
     return str(path)

@@ -29,6 +29,9 @@ HELP = (
 )
 
 
+_NO_GOALS = "; but who wanders makes for no goal (`river` does)"
+
+
 def tick_for(sim: Cast, ticks: int, seconds: float = TICKING) -> int:
     """Lets the simulation tick, at most MOST_TICKS and not much longer than `seconds` of wall time; returns how often."""
     begin, done = clock.perf_counter(), 0
@@ -191,6 +194,6 @@ class App:
             return
         try:
             apply(self.sim, command)
-            self.message = f"{command.name}: done"
+            self.message = f"{command.name}: done" + (_NO_GOALS if tool == "g" and self.sim.planner.name == "Wander" else "")
         except (InputError, NoWay) as error:
             self.message = str(error)

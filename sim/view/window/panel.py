@@ -55,7 +55,7 @@ class Panel:
         imgui.set_next_window_size((238, 0))
         imgui.begin("Footfall")
         sim = app.sim
-        imgui.text(f"{sim.world.name}: {app.character}")
+        imgui.text(f"{sim.world.name}: {sim.characters[app.focus].name}")
         imgui.text(f"{sim.time:6.2f} s   {rate:3.0f} frames/s")
         if len(sim.characters) > 1:
             imgui.text(f"character {app.focus + 1} of {len(sim.characters)}, {app.in_view} in view")

@@ -10,6 +10,7 @@ from sim.view.graphics import gl
 from sim.view.graphics.quality import LEVELS, SOFTWARE_LEVEL
 from sim.view.pictures.renderer import Renderer
 from sim.view.window.app import App
+from worlds.compiled.telling import tell
 
 FRAMES, SECONDS = 8, 1.0
 """Before it is judged again, a level is given so many frames and so long [s]; UP times as long before it is raised."""
@@ -23,8 +24,8 @@ class Screen3D:
     def __init__(self, pygame: ModuleType, size: tuple[int, int]) -> None:
         self.pygame, self.size = pygame, size
         flags = pygame.OPENGL | pygame.DOUBLEBUF | pygame.RESIZABLE
-        for key, value in (("CONTEXT_MAJOR_VERSION", 3), ("CONTEXT_MINOR_VERSION", 3)):
-            pygame.display.gl_set_attribute(getattr(pygame, f"GL_{key}"), value)
+        for key, value in context_attributes(pygame).items():
+            pygame.display.gl_set_attribute(key, value)
         pygame.display.set_mode(size, flags)
         pygame.display.set_caption("Footfall")
         self.ctx = gl.window_context()
@@ -103,6 +104,16 @@ class Screen3D:
         self._target()
 
 
+def context_attributes(pygame: ModuleType) -> dict[int, int]:
+    """What is asked for: a core profile of 3.3, forward compatible, since a Mac has no other beyond 2.1."""
+    return {
+        pygame.GL_CONTEXT_MAJOR_VERSION: 3,
+        pygame.GL_CONTEXT_MINOR_VERSION: 3,
+        pygame.GL_CONTEXT_PROFILE_MASK: pygame.GL_CONTEXT_PROFILE_CORE,
+        pygame.GL_CONTEXT_FLAGS: pygame.GL_CONTEXT_FORWARD_COMPATIBLE_FLAG,
+    }
+
+
 def _panel(pygame: ModuleType, size: tuple[int, int]) -> Any:
     """The panel, or None where imgui does not run."""
     try:
@@ -110,5 +121,5 @@ def _panel(pygame: ModuleType, size: tuple[int, int]) -> Any:
 
         return Panel(pygame, size)
     except Exception as error:  # imgui raises whatever its backend does
-        print(f"no panel: {error}")
+        tell(f"no panel: {error}")
         return None

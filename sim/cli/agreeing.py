@@ -1,0 +1,55 @@
+"""Options that say two things: refused, or said, before anything is compiled. None is ignored in silence."""
+
+from pathlib import Path
+from typing import Any
+
+from motion.characters.character import load_character
+from sim.stage.simulation import Simulation
+from worlds.compiled.telling import tell
+from worlds.errors import InputError
+from worlds.level import load_level
+
+CROSSING = "RockHop"
+"""The planner of `river`, as saved states name it."""
+
+
+def scene(options: Any) -> None:
+    """What cannot be asked of a scene. Raises InputError."""
+    if options.characters > 1:
+        raise InputError(f"--characters {options.characters}: a scene is played by one character")
+    if "seed" in options.given:
+        tell(f"--seed {options.seed}: there is no chance in a scene; it makes no difference")
+
+
+def run(options: Any) -> None:
+    """Names of levels and characters. Raises InputError; a saved state brings its own."""
+    if not options.restore or "level" in options.given:
+        load_level(options.level)
+    if not options.restore or "character" in options.given:
+        load_character(options.character)
+
+
+def restored(options: Any, sim: Simulation) -> None:
+    """Whether a saved state is of what is asked for. Raises InputError naming every difference."""
+    saved = {
+        "level": sim.first_world.name,
+        "character": ", ".join(sorted({one.name for one in sim.characters})),
+        "characters": len(sim.characters),
+        "seed": sim.seed,
+    }
+    asked = {name: getattr(options, name) for name in options.given}
+    if "level" in asked:
+        asked["level"] = load_level(asked["level"]).name
+    if "character" in asked:
+        asked["character"] = load_character(asked["character"]).name
+    faults = [
+        f"{'the level' if name == 'level' else f'--{name}'} is {value}, but {options.restore} is of {saved[name]}; leave it out"
+        for name, value in sorted(asked.items())
+        if value != saved[name]
+    ]
+    crossing = sim.planner.name == CROSSING
+    if (options.command == "river") != crossing:
+        other = "river" if crossing else "wander"
+        faults.append(f"{options.restore} is a state of `{other}`: footfall {other} --restore {Path(options.restore).name}")
+    if faults:
+        raise InputError("\n".join(faults))
