@@ -3,8 +3,8 @@
 E sums norms |r|, whose exact gradient is J^T r / |r|. Weighting the squared residual by 1 / max(|r|, eps) gives that
 gradient and a positive definite Hessian 1/|r| J^T J (iteratively reweighted least squares). It minimises Huber's smoothed
 norm exactly; eps shrinks from a smooth problem (squared norm) to a sharp one, each stage warm-started by the last. The unknowns
-are coefficients of B-splines (motion.track.basis), each of which couples with the next three, so the normal equations are a band
-of twelve, factored in time linear in the pieces.
+are coefficients of B-splines (motion.track.basis), each of which couples with the next three, so the normal equations are a
+band of twelve, factored in time linear in the pieces.
 """
 
 from typing import NamedTuple
