@@ -14,6 +14,7 @@ from motion.characters.character import Character
 from motion.track.footprints import Footprints
 from planner.round.kernel import Planning
 from worlds.errors import InputError
+from worlds.limits import numbers
 from worlds.world import World
 
 
@@ -58,13 +59,13 @@ class Planner(Protocol):
     def values(self) -> dict:
         """What the planner was made with, as plain JSON values: keyword arguments of its class."""
 
+    # A planner that remembers may have check_plans(plans, characters), which raises ValueError for plans of a file that it has
+    # not made: wrong shapes, or numbers that it would index by.
+
 
 def as_numbers(values: Any, what: str) -> np.ndarray:
-    """An array of them. Raises InputError for what are none, or none of equal shape."""
-    try:
-        return np.array(values, np.float64)
-    except (TypeError, ValueError):
-        raise InputError(f"{what} = {values!r}: an array of numbers is needed") from None
+    """A copy of them as an array. Raises InputError for what are none, not finite, or of unequal shape."""
+    return numbers(values, what).copy()
 
 
 def checked_starts(starts: Any, world: World, characters: int) -> np.ndarray:

@@ -1,6 +1,6 @@
 """Walking to places: everyone goes to its own, one after the other, around whatever stands in the way."""
 
-from math import atan2, hypot, isfinite
+from math import atan2, hypot
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +18,7 @@ from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
 from worlds.errors import InputError
+from worlds.limits import LONGEST, number
 from worlds.world import World
 
 THERE, CONTENT = 0.5, 0.25
@@ -134,12 +135,13 @@ class WalkTo:
 
     def __init__(self, starts: object, stops: object, again: bool = False, near: float = 0.5) -> None:
         self.places, self.stops = as_numbers(starts, "starts"), as_numbers(stops, "stops")
-        self.again, self.near = again, near
         count, places = self.stops.shape[0], self.stops.shape[1] if self.stops.ndim == 3 else 0
         if not places or self.stops.shape[2] != 2 or self.places.shape != (count, 3):
             raise InputError(f"starts {self.places.shape}, stops {self.stops.shape}: (C, 3) and (C, P, 2), P > 0, are needed")
-        if not (np.isfinite(self.places).all() and np.isfinite(self.stops).all() and isfinite(near) and near >= 0):
-            raise InputError(f"starts, stops and near = {near!r}: finite numbers are needed, near of 0 or more")
+        self.near = number(near, "near", 0.0, LONGEST)
+        if not isinstance(again, bool | np.bool_):
+            raise InputError(f"again = {again!r}: true or false is needed")
+        self.again = bool(again)
 
     def starts(self, world: World, characters: list[Character], seed: int) -> np.ndarray:
         """(C, 3) x, y, heading."""
@@ -151,6 +153,12 @@ class WalkTo:
         plans.again[:], plans.near[:] = self.again, self.near
         reached = plans.reached if situation.before is None else situation.before.reached
         return plans._replace(start=self.places[:, :2].copy(), stops=self.stops, reached=reached)
+
+    def check_plans(self, plans: Stops, characters: int) -> None:
+        """Whether plans from a file are of these stops. Raises ValueError."""
+        same = np.array_equal(plans.stops, self.stops) and np.array_equal(plans.start, self.places[:, :2])
+        if not same or len(self.places) != characters or not 0 <= plans.reached.min() <= plans.reached.max() < 2**53:
+            raise ValueError("plans: other stops than the planner's, or more reached than can be")
 
     def values(self) -> dict:
         """What it was made with."""

@@ -60,6 +60,13 @@ class RockHop:
             plans.length[c], plans.begin[c] = len(steps), situation.number[c]
         return plans
 
+    def check_plans(self, plans: Routes, characters: int) -> None:
+        """Whether plans from a file are routes: rounds check their steps, one by one. Raises ValueError."""
+        if not (0 <= plans.length.min() <= plans.length.max() <= plans.steps.shape[1] and plans.begin.min() >= 0):
+            raise ValueError("plans: routes longer than their steps")
+        if plans.begin.max() > 2**53:
+            raise ValueError("plans: routes that never begin")
+
     def values(self) -> dict:
         """It is made of nothing."""
         return {}
