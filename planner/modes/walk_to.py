@@ -10,9 +10,10 @@ from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
 from planner.planner import STAND_TIME, Situation, as_numbers
 from planner.round.kernel import Compiled
-from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing, stepping
+from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing
 from planner.stepping import random
-from planner.stepping.beside import Place, beside, middle_beside
+from planner.stepping.beside import Place, middle_beside
+from planner.stepping.footing import surely
 from planner.stepping.steering import LOOK_STEPS, Onward, free_way, step_toward
 from worlds import queries
 from worlds.arrays import WorldArrays
@@ -79,7 +80,7 @@ def _is_past(round: Round, me: Me, reached: int, middle: Place, abeam: float) ->
     then = stop_of(plans, c, reached + 1)
     dx, dy = plans.stops[c, then, 0] - x, plans.stops[c, then, 1] - y
     far, margin = hypot(dx, dy), min(biped_of(round, me).body.radius, queries.clearance(round.world, x, y) - 0.01)
-    return free_way(round.world, x, y, atan2(dy, dx), margin, far) >= far
+    return free_way(biped_of(round, me), round.world, x, y, atan2(dy, dx), margin, far) >= far
 
 
 @jit_borrowing
@@ -110,13 +111,27 @@ def _next_step(round: Round, me: Me) -> Wish:
         return Wish(still.step, still.course, still.longest, True, True)
     stop = plans.stops[me.c, stop_of(plans, me.c, reached + there)]
     on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, me.c)
-    side = 1 - foot.side
-    return stepping(side, beside(biped, side, (on.x, on.y), on.heading), on.heading, on.course, True)
+    return surely(round, me, (on.x, on.y), on.heading, on.course, True)
 
 
 def _empty_stops(characters: int, stops: int) -> Stops:
     c = characters
     return Stops(np.zeros((c, 2)), np.zeros((c, stops, 2)), np.zeros(c, np.bool_), np.zeros(c), np.zeros(c, np.int64))
+
+
+def _check_stops(stops: np.ndarray, world: World) -> None:
+    """Raises InputError for a stop outside, in a tree or in water."""
+    for c, p in np.ndindex(stops.shape[:2]):
+        x, y = stops[c, p].tolist()
+        why = ""
+        if queries.border_clearance(world.arrays, x, y) < 0:
+            why = f"is outside the world; 0..{world.size[0]:g} by 0..{world.size[1]:g} is allowed"
+        elif queries.tree_clearance(world.arrays, x, y) < 0:
+            why = "is in a tree"
+        elif queries.in_water(world.arrays, x, y):
+            why = "is in water"
+        if why:
+            raise InputError(f"stops.{c}.{p} at ({x:g}, {y:g}): {why}")
 
 
 _PLANNING = Compiled(_next_step, _empty_stops(1, 1))
@@ -148,7 +163,9 @@ class WalkTo:
         return self.places
 
     def prepare(self, situation: Situation) -> Stops:
-        """Plans for all; a stop that was reached stays reached."""
+        """Plans for all; a stop that was reached stays reached. Raises InputError for stops where nobody can be."""
+        if situation.before is None:
+            _check_stops(self.stops, situation.world)
         plans = _empty_stops(len(situation.characters), 1)
         plans.again[:], plans.near[:] = self.again, self.near
         reached = plans.reached if situation.before is None else situation.before.reached

@@ -57,7 +57,7 @@ class Simulation(Cast):
             self._plan()
 
     def _begin(self) -> None:
-        starts = checked_starts(self.planner.starts(self.world, self.characters, self.seed), self.world, len(self.characters))
+        starts = checked_starts(self.planner.starts(self.world, self.characters, self.seed), self.world, self.characters)
         for c, (x, y, heading) in enumerate(starts.tolist()):
             self.stand_beside(c, (x, y), heading)
         # Footprint 2 is the right foot standing on: plans begin at footprint 3, when the left one is the older.
