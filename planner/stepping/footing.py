@@ -18,6 +18,8 @@ from worlds.compiled.jit import jit_borrowing
 
 UNDER = 0.02
 """Ground may reach so far into a sole [m]: what a shoe, or a lens, does not show."""
+TOE_ROOM, HIGH_SIDE = 0.05, 0.04
+"""Room that is left before a sole [m], where ground rises by more than this [m]."""
 HILLSIDE = 2.12
 """The steepest slope of hills, in amplitudes per wavelength over a turn (worlds.queries.terrain_height)."""
 FINE, TREE, WATER, BORDER, ROCK, STEEP, HIGH, DEEP, FAR = range(9)
@@ -105,7 +107,22 @@ def why_not_step(biped: Dimensions, world: WorldArrays, foot: Foot, x: float, y:
     rise = under_sole(biped, world, x, y, heading)[0] - under_sole(biped, world, foot.x, foot.y, foot.heading)[0]
     if rise > biped.reach.max_rise:
         return HIGH
-    return DEEP if rise < -biped.reach.max_drop else why_not_stand(biped, world, x, y, heading)
+    if rise < -biped.reach.max_drop:
+        return DEEP
+    return ROCK if _strikes(biped, world, x, y, heading) else why_not_stand(biped, world, x, y, heading)
+
+
+@jit_borrowing
+def _strikes(biped: Dimensions, world: WorldArrays, x: float, y: float, heading: float) -> bool:
+    """Whether the toe, which straightens and goes ahead when it lifts, strikes a rock's side or a riser."""
+    z, nx, ny, nz = under_sole(biped, world, x, y, heading)
+    c, s, ahead = cos(heading), sin(heading), 0.5 * biped.foot.length + TOE_ROOM
+    for j in range(-1, 2):
+        aside = 0.5 * j * biped.foot.width
+        dx, dy = ahead * c - aside * s, ahead * s + aside * c
+        if queries.ground_height(world, x + dx, y + dy) > z - (nx * dx + ny * dy) / nz + HIGH_SIDE:
+            return True
+    return False
 
 
 @jit_borrowing

@@ -4,6 +4,7 @@ import json
 import math
 import os
 import struct
+import tokenize
 import zipfile
 import zlib
 from pathlib import Path
@@ -19,7 +20,7 @@ LARGEST = 16_000_000_000
 """Bytes that the arrays of a file may take in memory."""
 UNREADABLE = (
     ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error, KeyError, TypeError, NotImplementedError, RuntimeError,
-    MemoryError, OverflowError, SyntaxError, struct.error, AttributeError, IndexError,
+    MemoryError, OverflowError, SyntaxError, struct.error, AttributeError, IndexError, tokenize.TokenError,
 )  # fmt: skip
 """What a damaged or forged archive makes its readers raise; nested too deeply is a RuntimeError."""
 
