@@ -163,6 +163,8 @@ def _slope(world: WorldArrays, x: float, y: float, around: float) -> float:
 @jit_borrowing
 def needs_care(biped: Dimensions, world: WorldArrays, x: float, y: float) -> bool:
     """Whether steps from there need to be looked at: elsewhere who keeps off trees, water and the border stands well."""
+    if queries.clearance(world, x, y) < biped.body.radius:  # something was put there, or one was set down there
+        return True
     return not (is_gentle(biped, world) and is_bare(world, x, y, biped.reach.max_step + biped.foot.length))
 
 

@@ -11,6 +11,7 @@ from planner.planner import NoWay
 from planner.river.rock_hop import RockHop
 from planner.stepping import footing
 from planner.stepping.footing import DEEP, FAR, FINE, HIGH, ROCK, STEEP, TREE, WATER, why_not_stand, why_not_step
+from sim.stage.commands import PlantTree, apply
 from sim.stage.making import make_simulation
 from sim.stage.simulation import Simulation
 from worlds import queries
@@ -144,3 +145,30 @@ def test_a_route_keeps_off_trunks():
     assert found == {FINE} and sim.reached_goal.all()
     least = min(queries.tree_clearance(world.arrays, x, y) for x, y in prints.position[:, :2])
     assert least > 0.5 * HUMAN.biped.foot.width + 0.03 and RIGHT in prints.side
+
+
+@pytest.mark.parametrize("character", CHARACTERS)
+def test_everyone_stands_well_after_trees_are_planted_before_them(character):
+    sim, rng, planted, found = make_simulation("forest", character, 6, 2, False), np.random.default_rng(3), 0, set()
+    for tick in range(1800):
+        before = sim.steps_planned
+        sim.tick()
+        newest = sim.feet()
+        for c in np.flatnonzero(sim.steps_planned > before):
+            (x, y), heading = newest.position[c, 1, :2].tolist(), float(newest.heading[c, 1])
+            found.add(int(why_not_stand(sim.characters[c].biped, sim.world.arrays, x, y, heading)))
+        if tick % 20 == 0:
+            x, y = newest.position[tick // 20 % 6, 1, :2] + rng.uniform(-1.2, 1.2, 2)
+            try:
+                apply(sim, PlantTree(x, y, rng.uniform(0.2, 1.0)))
+                planted += 1
+            except InputError:
+                pass
+    assert found == {FINE} and planted > 15
+
+
+def test_a_tree_is_not_planted_onto_a_foot_however_large():
+    sim = make_simulation("forest", "human", 1, 2, False)
+    x, y = sim.feet().position[0, 1, :2]
+    with pytest.raises(InputError, match="too near to a foot"):
+        apply(sim, PlantTree(x + 1.5, y, 1.45))
