@@ -84,12 +84,24 @@ def checked_starts(starts: Any, world: World, characters: list[Character]) -> np
         raise InputError(f"{len(places)} starts for {len(characters)} characters: one for each is needed")
     if np.abs(places[:, 2]).max() > TURNED:
         raise InputError(f"starts: headings up to {np.abs(places[:, 2]).max():g} rad; {TURNED:g} at most is allowed")
+    found, near = np.empty((len(places), 3)), _doubtful(world, characters)
+    queries.survey(world.arrays, np.ascontiguousarray(places[:, :2]), found)
     for c, (x, y, _) in enumerate(places.tolist()):
         if not (0 <= x <= world.size[0] and 0 <= y <= world.size[1]):
             inside = f"0..{world.size[0]:g} by 0..{world.size[1]:g} is allowed"
             raise InputError(f"starts.{c} at ({x:g}, {y:g}): is outside the world; {inside}")
-        _check_room(world, characters[c], f"starts.{c} at ({x:g}, {y:g})", places[c])
+        if min(x, y, world.size[0] - x, world.size[1] - y, found[c, 1], found[c, 2]) < near:
+            _check_room(world, characters[c], f"starts.{c} at ({x:g}, {y:g})", places[c])
     return places
+
+
+def _doubtful(world: World, characters: list[Character]) -> float:
+    """Who starts nearer than this [m] to a tree, water or the border needs to be looked at; on uneven ground everyone does."""
+    if world.terrain != "flat" or len(world.rocks):
+        return np.inf
+    bipeds = {id(character.biped): character.biped for character in characters}.values()
+    soles = (0.5 * (np.hypot(b.foot.length, b.foot.width) + b.gait.step_width) for b in bipeds)
+    return float(max([*soles, *(b.body.radius for b in bipeds)]))
 
 
 def _check_room(world: World, character: Character, said: str, start: np.ndarray) -> None:
