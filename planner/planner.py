@@ -11,9 +11,14 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from motion.characters.character import Character
-from motion.track.footprints import Footprints
+from motion.track.footprints import LEFT, RIGHT, SIDES, Footprints
 from planner.round.kernel import Planning
+from planner.round.refusals import TURNED
+from planner.stepping.beside import beside
+from planner.stepping.footing import FINE, WORDS, why_not_stand
+from worlds import queries
 from worlds.errors import InputError
+from worlds.limits import numbers
 from worlds.world import World
 
 
@@ -58,27 +63,60 @@ class Planner(Protocol):
     def values(self) -> dict:
         """What the planner was made with, as plain JSON values: keyword arguments of its class."""
 
+    # A planner that remembers may have check_plans(plans, characters), which raises ValueError for plans of a file that it has
+    # not made: wrong shapes, or numbers that it would index by.
+
 
 def as_numbers(values: Any, what: str) -> np.ndarray:
-    """An array of them. Raises InputError for what are none, or none of equal shape."""
-    try:
-        return np.array(values, np.float64)
-    except (TypeError, ValueError):
-        raise InputError(f"{what} = {values!r}: an array of numbers is needed") from None
+    """A copy of them as an array. Raises InputError for what are none, not finite, or of unequal shape."""
+    return numbers(values, what).copy()
 
 
-def checked_starts(starts: Any, world: World, characters: int) -> np.ndarray:
-    """starts, which must be (C, 3) finite x, y, heading inside the world, one for each character; or raises InputError."""
+def checked_starts(starts: Any, world: World, characters: list[Character]) -> np.ndarray:
+    """starts, which must be (C, 3) finite x, y, heading of places where the bodies fit and the feet may stand.
+
+    One for each character. Raises InputError.
+    """
     places = as_numbers(starts, "starts")
     if places.ndim != 2 or places.shape[1] != 3 or not np.isfinite(places).all():
         raise InputError(f"starts of shape {np.shape(places)}: (C, 3), finite numbers x, y [m], heading [rad], are needed")
-    if len(places) != characters:
-        raise InputError(f"{len(places)} starts for {characters} characters: one for each is needed")
+    if len(places) != len(characters):
+        raise InputError(f"{len(places)} starts for {len(characters)} characters: one for each is needed")
+    if np.abs(places[:, 2]).max() > TURNED:
+        raise InputError(f"starts: headings up to {np.abs(places[:, 2]).max():g} rad; {TURNED:g} at most is allowed")
+    found, near = np.empty((len(places), 3)), _doubtful(world, characters)
+    queries.survey(world.arrays, np.ascontiguousarray(places[:, :2]), found)
     for c, (x, y, _) in enumerate(places.tolist()):
         if not (0 <= x <= world.size[0] and 0 <= y <= world.size[1]):
             inside = f"0..{world.size[0]:g} by 0..{world.size[1]:g} is allowed"
             raise InputError(f"starts.{c} at ({x:g}, {y:g}): is outside the world; {inside}")
+        if min(x, y, world.size[0] - x, world.size[1] - y, found[c, 1], found[c, 2]) < near:
+            _check_room(world, characters[c], f"starts.{c} at ({x:g}, {y:g})", places[c])
     return places
+
+
+def _doubtful(world: World, characters: list[Character]) -> float:
+    """Who starts nearer than this [m] to a tree, water or the border needs to be looked at; on uneven ground everyone does."""
+    if world.terrain != "flat" or len(world.rocks):
+        return np.inf
+    bipeds = {id(character.biped): character.biped for character in characters}.values()
+    soles = (0.5 * (np.hypot(b.foot.length, b.foot.width) + b.gait.step_width) for b in bipeds)
+    return float(max([*soles, *(b.body.radius for b in bipeds)]))
+
+
+def _check_room(world: World, character: Character, said: str, start: np.ndarray) -> None:
+    """Raises InputError where a body does not fit, or a foot may not stand."""
+    biped, (x, y, heading) = character.biped, start.tolist()
+    room = min(queries.border_clearance(world.arrays, x, y), queries.tree_clearance(world.arrays, x, y))
+    if room < biped.body.radius:
+        raise InputError(
+            f"{said}: no room for the body of the {character.name}: {room:.2f} m to the border or a tree, "
+            f"{biped.body.radius:g} m or more is needed"
+        )
+    for side in (LEFT, RIGHT):
+        why = why_not_stand(biped, world.arrays, *beside(biped, side, (x, y), heading), heading)
+        if why != FINE:
+            raise InputError(f"{said}: the {SIDES[side]} foot of the {character.name} {WORDS[why]}")
 
 
 STAND_TIME = 0.5

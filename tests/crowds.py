@@ -8,7 +8,7 @@ from planner.modes.walk_to import WalkTo
 from planner.modes.wander import Wander
 from sim.stage.simulation import Simulation
 from worlds import queries
-from worlds.scatter import Scatter, scattered
+from worlds.contents.scatter import Scatter, scattered
 from worlds.world import World
 
 EVERY = 2

@@ -49,18 +49,28 @@ def grid_shape(size: tuple[float, float]) -> tuple[int, int]:
     return int(np.ceil(size[1] / CELL)) + 1, int(np.ceil(size[0] / CELL)) + 1
 
 
+def _span(boxes: np.ndarray, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
+    """First cells (K, 2: column, row) of boxes, and how many there are along each axis: none for boxes outside."""
+    most = np.array([shape[1], shape[0]])
+    low = np.floor(boxes[:, :2] / CELL).clip(0, most).astype(np.int64)
+    high = np.floor(boxes[:, 2:] / CELL).clip(-1, most - 1).astype(np.int64)
+    return low, np.maximum(high - low + 1, 0)
+
+
+def cells_of(boxes: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """How many cells each box (K, 4) meets."""
+    return _span(boxes, shape)[1].prod(axis=1)
+
+
 def bucket(boxes: np.ndarray, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
     """Lists of the items whose box (K, 4: xmin, ymin, xmax, ymax) meets each cell: (start, index)."""
-    rows, columns = shape
-    cells: list[list[int]] = [[] for _ in range(rows * columns)]
-    low = np.floor(boxes[:, :2] / CELL).astype(int)
-    high = np.floor(boxes[:, 2:] / CELL).astype(int)
-    for item, ((x0, y0), (x1, y1)) in enumerate(zip(low, high, strict=True)):
-        for row in range(max(y0, 0), min(y1, rows - 1) + 1):
-            for column in range(max(x0, 0), min(x1, columns - 1) + 1):
-                cells[row * columns + column].append(item)
-    start = np.concatenate([[0], np.cumsum([len(cell) for cell in cells])]).astype(np.int64)
-    return start, np.array([item for cell in cells for item in cell], np.int64)
+    low, extent = _span(boxes, shape)
+    count = extent.prod(axis=1)
+    item = np.repeat(np.arange(len(boxes)), count)
+    k = np.arange(len(item)) - np.repeat(np.cumsum(count) - count, count)
+    cell = (low[item, 1] + k // extent[item, 0]) * shape[1] + low[item, 0] + k % extent[item, 0]
+    start = np.concatenate([[0], np.cumsum(np.bincount(cell, minlength=shape[0] * shape[1]))]).astype(np.int64)
+    return start, item[np.argsort(cell, kind="stable")].astype(np.int64)
 
 
 def boxes_of_discs(discs: np.ndarray, reach: float) -> np.ndarray:

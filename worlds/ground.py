@@ -2,18 +2,30 @@
 
 import math
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
-from worlds.heightmap import read_heightmap
-from worlds.scatter import Scatter, scattered
+from worlds.contents.heightmap import read_heightmap
+from worlds.contents.scatter import Scatter, scattered
+from worlds.errors import InputError
 from worlds.world import River, World
 
-Finite = Annotated[float, Field(allow_inf_nan=False)]
-Length = Annotated[float, Field(gt=0, le=10_000, allow_inf_nan=False)]
+Finite = Annotated[float, Field(ge=-1e5, le=1e5, allow_inf_nan=False, strict=True)]
+"""A coordinate [m] or an angle: strict, for text and truth are no numbers."""
+Length = Annotated[float, Field(ge=1e-4, le=10_000, allow_inf_nan=False, strict=True)]
 Point = tuple[Finite, Finite]
+
+
+def _whole(value: Any) -> Any:
+    """True is no number of a format, though it equals 1."""
+    if type(value) is not int:
+        raise ValueError("a whole number is needed")
+    return value
+
+
+Format = Annotated[Literal[1], BeforeValidator(_whole)]
 
 
 class Part(BaseModel):
@@ -21,7 +33,7 @@ class Part(BaseModel):
 
 
 class _Hills(Part):
-    amplitude: Annotated[float, Field(ge=0, le=100)] = 1.0
+    amplitude: Annotated[float, Field(ge=0, le=100, strict=True)] = 1.0
     wavelength: Length = 25.0
     phases: tuple[Finite, Finite, Finite] = (0.3, 1.1, 2.0)
 
@@ -30,7 +42,7 @@ class _Stairs(Part):
     position: Finite = 5.0  # x of the first riser
     rise: Length = 0.17
     run: Length = 0.3
-    count: Annotated[int, Field(ge=1, le=10_000)] = 20
+    count: Annotated[int, Field(ge=1, le=10_000, strict=True)] = 20
 
 
 class _SpiralStairs(Part):
@@ -38,7 +50,7 @@ class _SpiralStairs(Part):
     inner_radius: Length = 1.0
     outer_radius: Length = 3.0
     rise: Length = 0.17
-    steps_per_turn: Annotated[int, Field(ge=3, le=1000)] = 24
+    steps_per_turn: Annotated[int, Field(ge=3, le=1000, strict=True)] = 24
 
 
 class _Heightmap(Part):
@@ -69,7 +81,7 @@ class _River(Part):
 class _Rock(Part):
     position: Point
     radius: Length
-    height: Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)] = 0.2
+    height: Annotated[float, Field(ge=0, le=100, allow_inf_nan=False, strict=True)] = 0.2
 
 
 class Goal(Part):
@@ -82,7 +94,7 @@ class Goal(Part):
 class Ground(Part):
     """The tables of a file that make a world."""
 
-    format: Literal[1]
+    format: Format
     name: Annotated[str, Field(min_length=1)]
     world: WorldTable
     tree: list[_Tree] = []
@@ -94,7 +106,16 @@ class Ground(Part):
 def build(
     path: Path, ground: Ground, start: tuple[float, float], heading_deg: float, goal: Goal | None = None
 ) -> tuple[World, list[str]]:
-    """The world of a checked file, and the faults that only building it can find."""
+    """The world of a checked file, and the faults that only building it can find. Raises InputError."""
+    try:
+        return _built(path, ground, start, heading_deg, goal)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
+
+
+def _built(
+    path: Path, ground: Ground, start: tuple[float, float], heading_deg: float, goal: Goal | None
+) -> tuple[World, list[str]]:
     parameters, heights, faults = _terrain(path, ground.world)
     world = World(
         name=ground.name,

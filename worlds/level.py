@@ -3,7 +3,8 @@
 import tomllib
 from pathlib import Path
 
-from worlds import checks, ground, reading
+from worlds import ground, reading
+from worlds.contents import checks
 from worlds.errors import InputError
 from worlds.ground import Finite, Goal, Ground, Part, Point
 from worlds.world import World

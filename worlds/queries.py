@@ -52,7 +52,7 @@ def _map_height(heights: np.ndarray, column: float, row: float) -> float:
     rows, columns = heights.shape
     column = min(max(column, 0.0), columns - 1.0)
     row = min(max(row, 0.0), rows - 1.0)
-    i, j = min(int(row), max(rows - 2, 0)), min(int(column), max(columns - 2, 0))
+    i, j = max(min(int(row), rows - 2), 0), max(min(int(column), columns - 2), 0)
     u, v = column - j, row - i
     k, m = min(i + 1, rows - 1), min(j + 1, columns - 1)
     return (1 - v) * ((1 - u) * heights[i, j] + u * heights[i, m]) + v * ((1 - u) * heights[k, j] + u * heights[k, m])

@@ -14,25 +14,46 @@ from worlds.errors import InputError
 
 LARGEST_FILE = 2_000_000
 """Bytes: these files are written by a person; anything larger is something else."""
+LONGEST_NAME = 255
+"""Letters: a longer name is no file's, and is not said in full."""
+MARKS = ((b"\xef\xbb\xbf", "utf-8-sig"), (b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"))
+"""First bytes by which a text says how it is written."""
+REMEDY = r"""; a backslash in "..." begins a special letter: write C:/folder/file, or 'C:\folder\file'"""
 Model = TypeVar("Model", bound=BaseModel)
 
 
 def named_file(folder: Path, name_or_path: str | Path, what: str) -> Path:
     """A file that ships, by name, or any file by path. Raises InputError where there is none."""
     path = folder / f"{name_or_path}.toml"
-    if path.is_file():
+    if is_regular(path):
         return path
     path = Path(name_or_path)
-    if path.is_dir():
-        raise InputError(f"{path}: is a folder; a {what} is a TOML file")
-    if not path.exists():
+    said = str(path) if len(str(path)) <= LONGEST_NAME else f"{str(path)[:60]}... ({len(str(path))} letters)"
+    if not _exists(path):
         if path.suffix == ".toml" or len(path.parts) > 1:
-            raise InputError(f"{path}: no such {what} file{nearest(path.name, [one.name for one in _beside(path)])}")
+            raise InputError(f"{said}: no such {what} file{nearest(path.name[:100], [one.name for one in _beside(path)])}")
         names = names_in(folder)
         raise InputError(
-            f"{path}: no such {what}{nearest(str(path), names)}; there are {', '.join(names)}, or give a .toml file"
+            f"{said}: no such {what}{nearest(str(path), names)}; there are {', '.join(names)}, or give a .toml file"
         )
+    if path.is_dir():
+        raise InputError(f"{said}: is a folder; a {what} is a TOML file")
     return path
+
+
+def is_regular(path: Path) -> bool:
+    """Whether there is a file of this name that can be read to its end: no pipe, no device, no name that none can have."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.exists()
+    except (OSError, ValueError):
+        return False
 
 
 def _beside(path: Path) -> list[Path]:
@@ -51,9 +72,8 @@ def names_in(folder: Path) -> list[str]:
 def tables_of(path: str | Path) -> set[str]:
     """The names at the top of a file; none where it is no readable TOML file: whoever reads it then says what is wrong."""
     try:
-        content = files.content(Path(path), LARGEST_FILE)
-        return set() if content is None else set(tomllib.loads(content.decode("utf-8")))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
+        return set(read_toml(Path(path), "file", "a table"))
+    except (InputError, OSError):
         return set()
 
 
@@ -73,17 +93,37 @@ def checked(path: Path | str, plain: dict, model: type[Model]) -> Model:
 def read_toml(path: Path, what: str, needs: str) -> dict:
     """What a TOML file holds, as plain values. Raises InputError."""
     try:
-        content = files.content(path, LARGEST_FILE)
-        if content is None:
-            raise InputError(f"{path}: more than {LARGEST_FILE} bytes; a {what} file has at most that many")
-        values = tomllib.loads(content.decode("utf-8"))
+        raw = files.content(path, LARGEST_FILE)
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise InputError(f"{path}: is not a TOML text file: {error}") from None
+    if raw is None:
+        raise InputError(f"{path}: more than {LARGEST_FILE} bytes; a {what} file has at most that many")
+    values = _values(path, _text(path, raw))
     if not values:
         raise InputError(f"{path}: is empty; a {what} needs {needs}")
     return values
+
+
+def _text(path: Path, raw: bytes) -> str:
+    """What was written, in UTF-8, or in what the first bytes say: editors on Windows put them there."""
+    encoding = next((name for mark, name in MARKS if raw.startswith(mark)), "utf-8")
+    try:
+        return raw.decode(encoding)
+    except UnicodeDecodeError as error:
+        place = f"byte {error.start} is {raw[error.start]:#04x}"
+        raise InputError(f"{path}: is no text in {encoding.upper()} ({place}): save it with the encoding UTF-8") from None
+
+
+def _values(path: Path, text: str) -> dict:
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        remedy = ""
+        if "\\" in str(error) or "hex value" in str(error):
+            remedy = REMEDY
+        raise InputError(f"{path}: is not a TOML text file: {error}{remedy}") from None
+    except RecursionError:
+        raise InputError(f"{path}: is nested too deeply; a file of ours has tables in lists, and no more") from None
 
 
 def nearest(word: str, known: Iterable[str]) -> str:

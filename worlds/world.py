@@ -6,7 +6,9 @@ from functools import cached_property
 import numpy as np
 
 from worlds import arrays as grid
-from worlds.queries import terrain_height
+from worlds import limits
+from worlds.errors import InputError
+from worlds.queries import survey
 
 NO_TREES, NO_ROCKS = np.zeros((0, 3)), np.zeros((0, 3 + 1))
 TERRAINS = {"flat": grid.FLAT, "hills": grid.HILLS, "stairs": grid.STAIRS, "spiral_stairs": grid.SPIRAL_STAIRS}
@@ -24,7 +26,10 @@ class River:
 @dataclass(frozen=True)
 class World:
     """The ground 0..size[0] by 0..size[1] [m]. Never changes: an edit gives a new world. rocks: (R, 4) x, y, radius, height
-    of the flat top above the terrain; trees: (T, 3) x, y, radius; headings in radians."""
+    of the flat top above the terrain; trees: (T, 3) x, y, radius; headings in radians.
+
+    Raises InputError for what no world can be (worlds.limits).
+    """
 
     name: str
     size: tuple[float, float]
@@ -39,32 +44,61 @@ class World:
     goal: tuple[float, float] | None = None
     goal_radius: float = 1.0
 
+    def __post_init__(self) -> None:
+        """Everything checked, and as arrays of the right kind."""
+        if not isinstance(self.name, str):
+            raise InputError(f"name = {self.name!r}: text is needed")
+        checked = {
+            "size": limits.sized(self.size),
+            "terrain_parameters": limits.parameters(self.terrain, self.terrain_parameters),
+            "heights": limits.heights(self.heights),
+            "trees": limits.discs(self.trees, "trees", 3),
+            "rivers": tuple(_river(river, f"rivers.{k}") for k, river in enumerate(self.rivers)),
+            "rocks": limits.discs(self.rocks, "rocks", 4),
+            "start": limits.place(self.start, "start"),
+            "start_heading": limits.number(self.start_heading, "start_heading", -1e6, 1e6),
+            "goal": None if self.goal is None else limits.place(self.goal, "goal"),
+            "goal_radius": limits.number(self.goal_radius, "goal_radius", 1e-6, limits.LONGEST),
+        }
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+        limits.counted(len(self._banks()), "rivers")
+        for what, boxes in self._boxes().items():
+            limits.listed(int(grid.cells_of(boxes, grid.grid_shape(self.size)).sum()), len(boxes), what)
+
+    def _boxes(self) -> dict[str, np.ndarray]:
+        """What the grid lists, by its boxes."""
+        return {
+            "trees": grid.boxes_of_discs(self.trees, grid.REACH),
+            "rivers": grid.boxes_of_banks(self._banks(), grid.REACH),
+            "rocks": grid.boxes_of_discs(self.rocks, 0.0),
+        }
+
     @cached_property
     def arrays(self) -> grid.WorldArrays:
         """The world for kernels."""
         shape = grid.grid_shape(self.size)
-        banks = self._banks()
-        trees = np.ascontiguousarray(self.trees, np.float64).reshape(-1, 3)
         parameters = np.zeros(8)
         parameters[: len(self.terrain_parameters)] = self.terrain_parameters
-        tree_lists = grid.bucket(grid.boxes_of_discs(trees, grid.REACH), shape)
-        bank_lists = grid.bucket(grid.boxes_of_banks(banks, grid.REACH), shape)
+        lists = {what: grid.bucket(boxes, shape) for what, boxes in self._boxes().items()}
         bare = grid.WorldArrays(
             np.array([0.0, 0.0, *self.size]),
             TERRAINS[self.terrain],
             parameters,
-            np.ascontiguousarray(self.heights, np.float64),
-            trees,
-            banks,
+            self.heights,
+            self.trees,
+            self._banks(),
             np.zeros((0, 4)),
             shape[1],
-            *tree_lists,
-            *bank_lists,
+            *lists["trees"],
+            *lists["rivers"],
             *grid.bucket(np.zeros((0, 4)), shape),
         )
-        rocks = np.array(self.rocks, np.float64).reshape(-1, 4)
-        rocks[:, 3] += [terrain_height(bare, x, y) for x, y in rocks[:, :2]]
-        start, index = grid.bucket(grid.boxes_of_discs(rocks, 0.0), shape)
+        rocks, found = self.rocks.copy(), np.zeros((len(self.rocks), 3))
+        if self.terrain != "flat":
+            survey(bare, np.ascontiguousarray(rocks[:, :2]), found)
+        rocks[:, 3] += found[:, 0]
+        start, index = lists["rocks"]
         return bare._replace(rocks=rocks, rock_start=start, rock_index=index)
 
     def _banks(self) -> np.ndarray:
@@ -93,20 +127,43 @@ class World:
         """This world with the goal elsewhere."""
         return replace(self, goal=(x, y))
 
-    def to_dict(self) -> dict:
-        """Everything as plain JSON values; floats round-trip exactly."""
+    def to_dict(self, heights: bool = True) -> dict:
+        """Everything as plain JSON values; floats round-trip exactly. Without `heights`, a file keeps those as an array."""
         plain = {name: getattr(self, name) for name in self.__dataclass_fields__}
-        plain["rivers"] = [{"points": np.asarray(r.points).tolist(), "width": r.width} for r in self.rivers]
+        plain["rivers"] = [{"points": r.points.tolist(), "width": r.width} for r in self.rivers]
+        if not heights:
+            plain["heights"] = None
         return {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in plain.items()}
 
     @classmethod
-    def from_dict(cls, plain: dict) -> "World":
-        """The world that `to_dict` described."""
+    def from_dict(cls, plain: dict, heights: np.ndarray | None = None) -> "World":
+        """The world that `to_dict` described; heights: those that it left out. Raises InputError naming what is wrong."""
+        if not isinstance(plain, dict):
+            raise InputError(f"world = {plain!r}: a table is needed")
+        known = set(cls.__dataclass_fields__)
+        if set(plain) != known:
+            raise InputError(f"world: lacks {sorted(known - set(plain))}, does not know {sorted(set(plain) - known)}")
         values = dict(plain)
-        for name, columns in (("trees", 3), ("rocks", 4)):
-            values[name] = np.array(values[name], np.float64).reshape(-1, columns)
-        values["heights"] = np.array(values["heights"], np.float64)
-        values["rivers"] = tuple(River(np.array(r["points"]), r["width"]) for r in values["rivers"])
-        for name in ("size", "start", "goal", "terrain_parameters"):
-            values[name] = tuple(values[name]) if values[name] is not None else None
+        for name in ("trees", "rocks", "rivers", "terrain_parameters"):
+            if not isinstance(values[name], list | tuple):
+                raise InputError(f"world: {name} = {values[name]!r}: a list is needed")
+        if values["heights"] is None:
+            values["heights"] = np.zeros((1, 1)) if heights is None else heights
+        values["rivers"] = tuple(_plain_river(r, f"world: rivers.{k}") for k, r in enumerate(values["rivers"]))
         return cls(**values)
+
+
+def _plain_river(plain: object, what: str) -> River:
+    if not isinstance(plain, dict) or set(plain) != {"points", "width"}:
+        raise InputError(f"{what} = {plain!r}: points and width are needed")
+    return River(plain["points"], plain["width"])
+
+
+def _river(river: object, what: str) -> River:
+    """A river, checked. Raises InputError."""
+    if not isinstance(river, River):
+        raise InputError(f"{what} = {river!r}: a worlds.world.River is needed")
+    points = limits.numbers(river.points, f"{what}.points", 2)
+    if len(points) < 2 or np.abs(points).max() > limits.FAR:
+        raise InputError(f"{what}.points: two or more are needed, within {limits.FAR:g} m")
+    return River(points, limits.number(river.width, f"{what}.width", 1e-6, limits.LONGEST))

@@ -20,7 +20,7 @@ import numpy as np
 
 from motion.arithmetic.angles import wrapped
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import step_onto
+from motion.track.footprints import Foot, step_onto
 from planner.crowd.candidates import CANDIDATES, CLOSING, SMALL, Candidate, Walker, candidate, candidate_to, pace, walker_of
 from planner.crowd.course_around import LEFTWARD, course_around, keep_right
 from planner.crowd.foresight import danger, foresee
@@ -30,6 +30,7 @@ from planner.round import reservations
 from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing
 from planner.stepping import random
 from planner.stepping.beside import middle_beside, middle_of
+from planner.stepping.footing import FINE, needs_care, why_not_step
 from planner.stepping.steering import free_way
 from worlds import queries
 from worlds.compiled.jit import jit, jit_borrowing
@@ -64,11 +65,16 @@ class Scratch(NamedTuple):
 def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> bool:
     """Whether a step keeps off trees and off all that the others hold; where bodies are too close already, it may part them."""
     held, world, length = round.reservations, round.world, hypot(step.x - walker.x, step.y - walker.y)
+    biped = round.bipeds[round.kind[walker.c]]
     if length > 0:
         course = atan2(step.y - walker.y, step.x - walker.x)
         if queries.clearance(world, step.x, step.y) < walker.margin:
             return False
-        if free_way(world, walker.x, walker.y, course, walker.margin - 0.01, length) < length:
+        if free_way(biped, world, walker.x, walker.y, course, walker.margin - 0.01, length) < length:
+            return False
+    if needs_care(biped, world, walker.foot_x, walker.foot_y):
+        foot = Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
+        if why_not_step(biped, world, foot, step.foot_x, step.foot_y, step.heading) != FINE:
             return False
     rest_x, rest_y = 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y)
     begin, end, radius = walker.there, walker.there + step.time, held.foot_radius[walker.c] + FOOT_MARGIN

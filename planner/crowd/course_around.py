@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from motion.characters.dimensions import Dimensions
 from planner.crowd.candidates import Walker
 from planner.crowd.foresight import AGAINST, time_to_collision
 from planner.round.round import Round
@@ -47,26 +48,28 @@ def keep_right(round: Round, c: int, near: np.ndarray, middle: Place, course: fl
     if not comes:
         return course
     margin = min(biped.body.radius + MARGIN, queries.clearance(round.world, x, y)) - 0.01
-    return course + _to_the_right(round.world, middle, course, margin, held.room[c], biped.gait.preferred_step)
+    return course + _to_the_right(biped, round.world, middle, course, margin, held.room[c])
 
 
 @jit_borrowing
-def _to_the_right(world: WorldArrays, middle: Place, course: float, margin: float, room: float, stride: float) -> float:
+def _to_the_right(
+    biped: Dimensions, world: WorldArrays, middle: Place, course: float, margin: float, room: float
+) -> float:  # fmt: skip
     """The turn [rad] from the course to the right half of the narrowest place ahead, `room` [m] off its middle.
 
     0 where the course leads there.
 
     How wide a place is, is measured through points of the course, also aslant: it may lead through a gap at an angle.
     """
-    least, turn = 2 * NARROW * room, 0.0
+    least, turn, stride = 2 * NARROW * room, 0.0, biped.gait.preferred_step
     for i in range(NARROW_AHEAD):
         px, py = middle[0] + i * stride * cos(course), middle[1] + i * stride * sin(course)
         if queries.clearance(world, px, py) < margin:
             break
         for k in range(-SLANTS, SLANTS + 1):
             across = pi / 6 * k - 0.5 * pi
-            right = free_way(world, px, py, course + across, margin, 2 * NARROW * room)
-            left = free_way(world, px, py, course + across + pi, margin, 2 * NARROW * room)
+            right = free_way(biped, world, px, py, course + across, margin, 2 * NARROW * room)
+            left = free_way(biped, world, px, py, course + across + pi, margin, 2 * NARROW * room)
             if right + left < least:
                 least, aside = right + left, max(0.5 * (right - left) + room, 0.0)
                 turn = atan2(aside * sin(across), max(i, 1) * stride + aside * cos(across))
@@ -101,12 +104,13 @@ def _free_of_others(walker: Walker, others: Any, course: float, look: float) -> 
 @jit_borrowing
 def course_around(round: Round, walker: Walker, others: Any) -> float:
     """The best course: where it is free far, and near the wished one."""
-    wished, stride = walker.course, round.bipeds[round.kind[walker.c]].gait.preferred_step
+    biped = round.bipeds[round.kind[walker.c]]
+    wished, stride = walker.course, biped.gait.preferred_step
     look = LOOK * stride
     best, least = wished, inf
     for k in range(-FAN, FAN + 1):
         offset = 0.5 * pi * k / FAN
-        free = free_way(round.world, walker.x, walker.y, wished + offset, walker.margin - 0.01, look)
+        free = free_way(biped, round.world, walker.x, walker.y, wished + offset, walker.margin - 0.01, look)
         if k != 0 and free < LEAST_WAY * stride:
             continue
         free = min(free, _free_of_others(walker, others, wished + offset, look))

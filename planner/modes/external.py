@@ -91,6 +91,14 @@ class External:
         """What it was made with."""
         return {"starts": self.places.tolist()}
 
+    def check_plans(self, plans: Queues, characters: int) -> None:
+        """Whether plans from a file are queues: rounds check their steps, one by one. Raises ValueError."""
+        given = plans.given
+        if plans.steps.shape != (characters, ROOM) or not (0 <= given.min() <= given.max() <= ROOM):
+            raise ValueError(f"plans: at most {ROOM} steps are given ahead")
+        if not 0 <= plans.first.min() <= plans.first.max() <= 2**53:
+            raise ValueError("plans: steps that never begin")
+
     def left(self, plans: Queues, planned: np.ndarray) -> np.ndarray:
         """(C,) steps given that are not taken yet; planned (C,): the number of each one's newest footprint."""
         return np.maximum(plans.first + plans.given - (planned + 1), 0)

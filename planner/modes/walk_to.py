@@ -1,6 +1,6 @@
 """Walking to places: everyone goes to its own, one after the other, around whatever stands in the way."""
 
-from math import atan2, hypot, isfinite
+from math import atan2, hypot
 from typing import NamedTuple
 
 import numpy as np
@@ -10,14 +10,16 @@ from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
 from planner.planner import STAND_TIME, Situation, as_numbers
 from planner.round.kernel import Compiled
-from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing, stepping
+from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing
 from planner.stepping import random
-from planner.stepping.beside import Place, beside, middle_beside
+from planner.stepping.beside import Place, middle_beside
+from planner.stepping.footing import surely
 from planner.stepping.steering import LOOK_STEPS, Onward, free_way, step_toward
 from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
 from worlds.errors import InputError
+from worlds.limits import LONGEST, number
 from worlds.world import World
 
 THERE, CONTENT = 0.5, 0.25
@@ -80,7 +82,7 @@ def _is_past(round: Round, me: Me, reached: int, middle: Place, abeam: float) ->
     then = stop_of(plans, c, reached + 1)
     dx, dy = plans.stops[c, then, 0] - x, plans.stops[c, then, 1] - y
     far, margin = hypot(dx, dy), min(biped_of(round, me).body.radius, queries.clearance(round.world, x, y) - 0.01)
-    return free_way(round.world, x, y, atan2(dy, dx), margin, far) >= far
+    return free_way(biped_of(round, me), round.world, x, y, atan2(dy, dx), margin, far) >= far
 
 
 @jit_borrowing
@@ -121,13 +123,27 @@ def _next_step(round: Round, me: Me) -> Wish:
         return _arrive(round, me, middle)
     stop = plans.stops[me.c, stop_of(plans, me.c, reached + there)]
     on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, me.c)
-    side = 1 - foot.side
-    return stepping(side, beside(biped, side, (on.x, on.y), on.heading), on.heading, on.course, True)
+    return surely(round, me, (on.x, on.y), on.heading, on.course, True)
 
 
 def _empty_stops(characters: int, stops: int) -> Stops:
     c = characters
     return Stops(np.zeros((c, 2)), np.zeros((c, stops, 2)), np.zeros(c, np.bool_), np.zeros(c), np.zeros(c, np.int64))
+
+
+def _check_stops(stops: np.ndarray, world: World) -> None:
+    """Raises InputError for a stop outside, in a tree or in water."""
+    for c, p in np.ndindex(stops.shape[:2]):
+        x, y = stops[c, p].tolist()
+        why = ""
+        if queries.border_clearance(world.arrays, x, y) < 0:
+            why = f"is outside the world; 0..{world.size[0]:g} by 0..{world.size[1]:g} is allowed"
+        elif queries.tree_clearance(world.arrays, x, y) < 0:
+            why = "is in a tree"
+        elif queries.in_water(world.arrays, x, y):
+            why = "is in water"
+        if why:
+            raise InputError(f"stops.{c}.{p} at ({x:g}, {y:g}): {why}")
 
 
 _PLANNING = Compiled(_next_step, _empty_stops(1, 1))
@@ -146,23 +162,32 @@ class WalkTo:
 
     def __init__(self, starts: object, stops: object, again: bool = False, near: float = 0.5) -> None:
         self.places, self.stops = as_numbers(starts, "starts"), as_numbers(stops, "stops")
-        self.again, self.near = again, near
         count, places = self.stops.shape[0], self.stops.shape[1] if self.stops.ndim == 3 else 0
         if not places or self.stops.shape[2] != 2 or self.places.shape != (count, 3):
             raise InputError(f"starts {self.places.shape}, stops {self.stops.shape}: (C, 3) and (C, P, 2), P > 0, are needed")
-        if not (np.isfinite(self.places).all() and np.isfinite(self.stops).all() and isfinite(near) and near >= 0):
-            raise InputError(f"starts, stops and near = {near!r}: finite numbers are needed, near of 0 or more")
+        self.near = number(near, "near", 0.0, LONGEST)
+        if not isinstance(again, bool | np.bool_):
+            raise InputError(f"again = {again!r}: true or false is needed")
+        self.again = bool(again)
 
     def starts(self, world: World, characters: list[Character], seed: int) -> np.ndarray:
         """(C, 3) x, y, heading."""
         return self.places
 
     def prepare(self, situation: Situation) -> Stops:
-        """Plans for all; a stop that was reached stays reached."""
+        """Plans for all; a stop that was reached stays reached. Raises InputError for stops where nobody can be."""
+        if situation.before is None:
+            _check_stops(self.stops, situation.world)
         plans = _empty_stops(len(situation.characters), 1)
         plans.again[:], plans.near[:] = self.again, self.near
         reached = plans.reached if situation.before is None else situation.before.reached
         return plans._replace(start=self.places[:, :2].copy(), stops=self.stops, reached=reached)
+
+    def check_plans(self, plans: Stops, characters: int) -> None:
+        """Whether plans from a file are of these stops. Raises ValueError."""
+        same = np.array_equal(plans.stops, self.stops) and np.array_equal(plans.start, self.places[:, :2])
+        if not same or len(self.places) != characters or not 0 <= plans.reached.min() <= plans.reached.max() < 2**53:
+            raise ValueError("plans: other stops than the planner's, or more reached than can be")
 
     def values(self) -> dict:
         """What it was made with."""

@@ -10,9 +10,10 @@ from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
 from planner.planner import Situation
 from planner.round.kernel import Compiled
-from planner.round.round import Me, Round, Wish, biped_of, stepping
+from planner.round.round import Me, Round, Wish, biped_of
 from planner.stepping import random
-from planner.stepping.beside import beside, middle_beside
+from planner.stepping.beside import middle_beside
+from planner.stepping.footing import surely
 from planner.stepping.steering import LOOK_STEPS, MARGIN, Onward, step_toward
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
@@ -54,8 +55,7 @@ def wander_on(
 def _next_step(round: Round, me: Me) -> Wish:
     biped, foot = biped_of(round, me), me.feet.newer
     on = wander_on(biped, round.world, middle_beside(biped, foot), foot.heading, round.seed, me.c, me.number)
-    side = 1 - foot.side
-    return stepping(side, beside(biped, side, (on.x, on.y), on.heading), on.heading, on.course, False)
+    return surely(round, me, (on.x, on.y), on.heading, on.course, False)
 
 
 _PLANNING = Compiled(_next_step)

@@ -7,12 +7,19 @@ import numpy as np
 from motion.characters.character import Character
 from worlds import queries
 from worlds.arrays import WorldArrays
+from worlds.errors import InputError
 from worlds.world import World
 
 OFF_ROCKS = 0.1
 """Between a sole on a bank and the side of a rock [m], so that the toe does not strike it when it lifts."""
 RING = 8
-"""Spots around a rock's middle."""
+"""Spots around a rock's middle, where there are few rocks."""
+FEW = 120
+"""With more rocks than this only their middles are spots: routes need no more, and the search grows with the square."""
+MOST = 3500
+"""Spots that a search takes: its memory grows with their square."""
+LEVEL = 1e-3
+"""A rock reaches into a sole where its top is so much higher [m]."""
 BANK_SPACING = 0.3
 """Between spots along a bank [m]."""
 
@@ -23,61 +30,98 @@ class Spots:
 
     place: np.ndarray  # (K, 3) [m]
     rock: np.ndarray  # (K,) -1 on a bank
+    banks: np.ndarray  # (B, 3) those along the water's edge, whether a step leads on from there or not
 
     @classmethod
     def of(cls, world: World, character: Character) -> "Spots":
-        """Spots of all rocks, and of the banks that are within a leap of a rock or of the other bank."""
-        sole = 0.5 * float(character.biped.foot.length)
+        """Spots of all rocks, and of the banks that are within a leap of a rock or of the other bank. Raises InputError."""
+        foot, leap = character.biped.foot, float(character.biped.reach.max_leap)
+        sole = (0.5 * float(foot.length), 0.5 * float(np.hypot(foot.length, foot.width)))
         rocks = [spot for i, rock in enumerate(world.arrays.rocks) for spot in _on_rock(world, i, rock, sole)]
-        banks = _on_banks(world, sole, float(character.biped.reach.max_leap))
-        rows = np.array(rocks + banks, np.float64).reshape(-1, 4)
-        spots = cls(rows[:, :3], rows[:, 3].astype(int))
-        return spots._within(float(character.biped.reach.max_leap), world)
-
-    def _within(self, reach: float, world: World) -> "Spots":
-        """Without the bank spots from which no step over water leads anywhere."""
-        d = np.linalg.norm(self.place[:, None, :2] - self.place[None, :, :2], axis=2)
-        bank = self.rock < 0
-        keep = ~bank | (d[:, ~bank] <= reach).any(axis=1)
-        for i in np.flatnonzero(bank & ~keep):
-            for j in np.flatnonzero(bank & (d[i] <= reach) & (d[i] > 0.5)):
-                middle = 0.5 * (self.place[i] + self.place[j])
-                if queries.water_clearance(world.arrays, middle[0], middle[1]) < 0:
-                    keep[i] = True
-        return Spots(self.place[keep], self.rock[keep])
+        banks = _on_banks(world, sole)
+        rows = np.array(rocks, np.float64).reshape(-1, 4)
+        edge = banks[_near_any(banks, rows, leap)] if len(rows) else banks[:0]
+        if len(banks) <= MOST:
+            edge = banks[_near_any(banks, rows, leap) | _over_water(world, banks, leap)]
+        if len(rows) + len(edge) > MOST:
+            raise InputError(
+                f"{world.name}: {len(rows)} places on rocks and {len(edge)} on banks; a way is found among {MOST} at most"
+            )
+        place = np.vstack([rows[:, :3], edge])
+        return cls(place, np.concatenate([rows[:, 3], np.full(len(edge), -1)]).astype(int), banks)
 
 
-def _on_rock(world: World, i: int, rock: np.ndarray, sole: float) -> list[tuple]:
-    x, y, radius, top = rock
-    room = radius - sole - 0.01
-    if room < 0 or queries.water_clearance(world.arrays, x, y) > 0.3:
-        return []
-    spots = [(x, y, top, i)]
-    if room > 0.05:
-        angles = np.arange(RING) * 2 * np.pi / RING
-        spots += [(x + room * np.cos(a), y + room * np.sin(a), top, i) for a in angles]
-    return [spot for spot in spots if _alone(world.arrays.rocks, i, spot, sole)]
+def _near_any(banks: np.ndarray, rocks: np.ndarray, reach: float) -> np.ndarray:
+    """(B,) bool: from which bank spots a step leads onto a rock."""
+    near = np.zeros(len(banks), bool)
+    for rock in rocks:
+        near |= np.hypot(banks[:, 0] - rock[0], banks[:, 1] - rock[1]) <= reach
+    return near
 
 
-def _alone(rocks: np.ndarray, i: int, spot: tuple, sole: float) -> bool:
-    """Whether no other rock reaches under the sole or into it."""
-    off = np.hypot(rocks[:, 0] - spot[0], rocks[:, 1] - spot[1]) - rocks[:, 2]
-    off[i] = np.inf
-    return bool(off.min() > sole)
+def _over_water(world: World, banks: np.ndarray, reach: float) -> np.ndarray:
+    """(B,) bool: from which bank spots a leap leads over water to another one."""
+    leads = np.zeros(len(banks), bool)
+    for i, bank in enumerate(banks):
+        d = np.hypot(banks[:, 0] - bank[0], banks[:, 1] - bank[1])
+        middles = np.ascontiguousarray(0.5 * (banks[(d <= reach) & (d > 0.5), :2] + bank[:2]))
+        leads[i] = (_surveyed(world, middles)[:, 1] < 0).any()
+    return leads
 
 
-def _on_banks(world: World, sole: float, reach: float) -> list[tuple]:
-    arrays, found = world.arrays, []
-    near = sole + 0.06
-    for x in np.arange(0.5 * BANK_SPACING, world.size[0], BANK_SPACING):
-        for y in np.arange(0.5 * BANK_SPACING, world.size[1], BANK_SPACING):
-            off = queries.water_clearance(arrays, x, y)
-            if near <= off <= near + 1.5 * BANK_SPACING and _dry_and_free(arrays, x, y, sole):
-                found.append((x, y, queries.terrain_height(arrays, x, y), -1))
+def _surveyed(world: World, xy: np.ndarray) -> np.ndarray:
+    """(N, 3) height of the ground, distance to water, and to trees, at xy (N, 2)."""
+    found = np.empty((len(xy), 3))
+    queries.survey(world.arrays, xy, found)
     return found
 
 
-def _dry_and_free(world: WorldArrays, x: float, y: float, sole: float) -> bool:
-    rocks = world.rocks
-    clear = not len(rocks) or (np.hypot(rocks[:, 0] - x, rocks[:, 1] - y) > rocks[:, 2] + sole + OFF_ROCKS).all()
-    return bool(clear) and queries.tree_clearance(world, x, y) > 0.3 and queries.border_clearance(world, x, y) > 0.3
+def _on_rock(world: World, i: int, rock: np.ndarray, sole: tuple[float, float]) -> list[tuple]:
+    """Spots on a rock; sole: half its length, and half its diagonal [m]."""
+    x, y, radius, top = rock
+    room = radius - sole[1] - 0.01
+    if radius < sole[0] + 0.01 or queries.water_clearance(world.arrays, x, y) > 0.3:
+        return []
+    spots = [(x, y, top, i)]
+    if room > 0.05 and len(world.rocks) <= FEW:
+        angles = np.arange(RING) * 2 * np.pi / RING
+        spots += [(x + room * np.cos(a), y + room * np.sin(a), top, i) for a in angles]
+    return [spot for spot in spots if _alone(world.arrays.rocks, i, spot, sole[0]) and _free(world.arrays, spot, sole[1])]
+
+
+def _alone(rocks: np.ndarray, i: int, spot: tuple, sole: float) -> bool:
+    """Whether no higher rock reaches into the sole, and none of the same height is the one that is counted there."""
+    off = np.hypot(rocks[:, 0] - spot[0], rocks[:, 1] - spot[1]) - rocks[:, 2]
+    higher = rocks[:, 3] > rocks[i, 3] + LEVEL
+    twin = (rocks[:i] == rocks[i]).all(axis=1).any()
+    return not twin and bool((off[higher] > sole).all())
+
+
+def _free(world: WorldArrays, spot: tuple, sole: float) -> bool:
+    """Whether a sole of that half diagonal keeps off trees and the border, however it is turned."""
+    x, y = spot[:2]
+    return bool(min(queries.tree_clearance(world, x, y), queries.border_clearance(world, x, y)) > sole)
+
+
+def _on_banks(world: World, sole: tuple[float, float]) -> np.ndarray:
+    """(B, 3) places along the water's edge."""
+    near, room = sole[0] + 0.06, max(sole[1], 0.3)
+    if not len(world.arrays.banks):
+        return np.zeros((0, 3))
+    x, y = (np.arange(0.5 * BANK_SPACING, extent, BANK_SPACING) for extent in world.size)
+    found = [_along_column(world, at, y, near, room) for at in x]
+    places = np.vstack(found) if found else np.zeros((0, 3))
+    rocks = world.arrays.rocks
+    for rock in rocks:
+        off = np.hypot(places[:, 0] - rock[0], places[:, 1] - rock[1])
+        places = places[off > rock[2] + sole[0] + OFF_ROCKS]
+    return places
+
+
+def _along_column(world: World, x: float, y: np.ndarray, near: float, room: float) -> np.ndarray:
+    """The bank's places (K, 3) of one x."""
+    xy = np.column_stack([np.full(len(y), x), y])
+    height, water, tree = _surveyed(world, xy).T
+    border = np.minimum(np.minimum(x, world.size[0] - x), np.minimum(y, world.size[1] - y))
+    keep = (near <= water) & (water <= near + 1.5 * BANK_SPACING) & (tree > room) & (border > room)
+    return np.column_stack([xy[keep], height[keep]])

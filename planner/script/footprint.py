@@ -6,9 +6,9 @@ from pydantic import Field
 
 from worlds.ground import Finite, Part, Point
 
-Seconds = Annotated[float, Field(gt=0, le=60, allow_inf_nan=False)]
-Pause = Annotated[float, Field(ge=0, le=60, allow_inf_nan=False)]
-Crouch = Annotated[float, Field(ge=0.5, le=1.05, allow_inf_nan=False)]
+Seconds = Annotated[float, Field(gt=0, le=60, allow_inf_nan=False, strict=True)]
+Pause = Annotated[float, Field(ge=0, le=60, allow_inf_nan=False, strict=True)]
+Crouch = Annotated[float, Field(ge=0.5, le=1.05, allow_inf_nan=False, strict=True)]
 
 
 class Footprint(Part):

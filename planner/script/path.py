@@ -10,8 +10,12 @@ from motion.characters.character import Character
 from motion.track.footprints import SIDES
 from planner.script.footprint import Crouch, Footprint, Pause, Seconds
 from planner.stepping import strides
-from worlds.ground import Finite, Length, Part, Point
+from worlds.errors import InputError
+from worlds.ground import Finite, Part, Point
 
+Stride = Annotated[float, Field(ge=0.01, le=100, allow_inf_nan=False, strict=True)]
+MOST_FOOTPRINTS = 20_000
+"""A path has at most so many."""
 PIECES = 64
 """Straight pieces by which a Hermite piece of a path is measured."""
 
@@ -20,8 +24,8 @@ class Path(Part):
     """A way along a Hermite curve through points, walked with feet to either side."""
 
     points: Annotated[list[Point], Field(min_length=2)]
-    step_length: Length | Annotated[list[Length], Field(min_length=2)]  # a list changes evenly along the way
-    step_width: Annotated[float, Field(ge=0, le=5)] | None = None  # the character's own
+    step_length: Stride | Annotated[list[Stride], Field(min_length=2, max_length=1000)]  # a list changes evenly along the way
+    step_width: Annotated[float, Field(ge=0, le=5, strict=True)] | None = None  # the character's own
     first: Literal["left", "right"] = "left"
     feet_deg: Finite = 0.0  # the feet point this far to the left of the way: 180 backward
     facing_deg: Finite = 0.0
@@ -65,6 +69,11 @@ def footprints_along(path: Path, character: Character) -> list[Footprint]:
 def _distances(path: Path, length: float) -> np.ndarray:
     """Where along the way the feet land; all steps a little longer or shorter, so that they end where it ends."""
     lengths = np.atleast_1d(np.array(path.step_length, np.float64))
+    if length / lengths.min() > MOST_FOOTPRINTS:
+        least = f"{length:.4g} m in steps of {lengths.min():g} m"
+        raise InputError(f"path: {least} are more than {MOST_FOOTPRINTS} footprints; give longer steps or a shorter path")
+    if length == 0:
+        raise InputError("path.points: all in one place; a path leads somewhere")
     ends = [0.0]
     while ends[-1] < length:
         share = np.linspace(0, 1, len(lengths))

@@ -9,7 +9,8 @@ from pydantic import model_validator
 from motion.characters.character import Character
 from planner.script.footprint import Footprint, Pause
 from planner.script.path import Path, footprints_along
-from worlds import checks, ground, reading
+from worlds import ground, reading
+from worlds.contents import checks
 from worlds.errors import InputError
 from worlds.ground import Ground
 from worlds.world import World

@@ -20,6 +20,8 @@ SHORT = 0.15
 """A step shorter than this [m] does not roll over the whole foot."""
 HIGH = 1.6
 """A lift above this many clearances has an edge to go over."""
+MOST_RISES = 3
+"""No lift is above so many of the highest steps: whatever lies between needs no more."""
 EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
 QUICK, CALM = 0.6, 1.2
@@ -101,7 +103,7 @@ def lay_swing(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: 
         smooth = footprints.lift[n]
         footprints.hold[n] = swing.EDGE_HOLD
         footprints.lift[n] = _lift(biped, world, footprints, before, n)
-        if footprints.lift[n] > 0.9 * smooth:
+        if footprints.lift[n] > 0.9 * smooth and smooth < MOST_RISES * biped.reach.max_rise:
             footprints.hold[n], footprints.lift[n] = swing.HOLD, smooth
     footprints.lift[n] += biped.gait.run_lift * foot.runs(footprints, before) * _pace(biped, footprints, before, n)
 
@@ -136,7 +138,7 @@ def is_level(biped: Dimensions, world: WorldArrays, footprints: Footprints, befo
 @jit_borrowing
 def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before: int, after: int) -> float:
     """Lift [m] with which heel, ball and toe clear the ground below by the gait's clearance at mid-swing."""
-    clearance, most = biped.gait.clearance, 3 * biped.reach.max_rise
+    clearance, most = biped.gait.clearance, MOST_RISES * biped.reach.max_rise
     lift, ball = clearance, biped.foot.ball_forward
     back, ahead = -0.5 * biped.foot.length - ball, 0.5 * biped.foot.length - ball
     footprints.lift[after] = 0.0

@@ -8,6 +8,7 @@ from math import cos, pi, sin
 from typing import NamedTuple
 
 from motion.characters.dimensions import Dimensions
+from planner.stepping.footing import level_way
 from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
@@ -30,8 +31,16 @@ class Onward(NamedTuple):
 
 
 @jit_borrowing
-def free_way(world: WorldArrays, x: float, y: float, course: float, margin: float, far: float) -> float:
-    """Distance [m] that one can go straight on with at least `margin` around, at most `far`."""
+def free_way(
+    biped: Dimensions, world: WorldArrays, x: float, y: float, course: float, margin: float, far: float
+) -> float:  # fmt: skip
+    """Distance [m] that one can go straight on with at least `margin` around, over ground that it can walk, at most `far`."""
+    return level_way(biped, world, x, y, course, _open_way(world, x, y, course, margin, far))
+
+
+@jit_borrowing
+def _open_way(world: WorldArrays, x: float, y: float, course: float, margin: float, far: float) -> float:
+    """The same, whatever the ground."""
     c, s, done = cos(course), sin(course), 0.0
     while done < far:
         room = queries.clearance(world, x + done * c, y + done * s) - margin
@@ -42,14 +51,16 @@ def free_way(world: WorldArrays, x: float, y: float, course: float, margin: floa
 
 
 @jit_borrowing
-def clear_course(world: WorldArrays, x: float, y: float, wanted: float, margin: float, look: float, right_first: bool) -> float:
+def clear_course(
+    biped: Dimensions, world: WorldArrays, x: float, y: float, wanted: float, margin: float, look: float, right_first: bool
+) -> float:  # fmt: skip
     """The offset [rad] from the wanted course that is nearest to it with a way as long as `look`, else the freest."""
     best, best_free = 0.0, -1.0
     for k in range(FAN + 1):
         for turn in range(2 if k else 1):
             sign = 1.0 if (turn == 0) != right_first else -1.0
             offset = sign * k * pi / FAN
-            free = free_way(world, x, y, wanted + offset, margin, look)
+            free = free_way(biped, world, x, y, wanted + offset, margin, look)
             if free >= look:
                 return offset
             if free > best_free:
@@ -65,9 +76,9 @@ def step_toward(
     """A step toward the clear course that is nearest to the wanted one, shorter where it turns."""
     x, y = middle
     margin = min(biped.body.radius + MARGIN, queries.clearance(world, x, y) - 0.01)
-    course = wanted + clear_course(world, x, y, wanted, margin, look, right_first)
+    course = wanted + clear_course(biped, world, x, y, wanted, margin, look, right_first)
     most, stride = biped.reach.max_turn, biped.gait.preferred_step
     turn = min(max(course - heading, -most), most)
-    free = free_way(world, x, y, heading + turn, margin, stride)
+    free = free_way(biped, world, x, y, heading + turn, margin, stride)
     length = min(stride * max(1 - 0.5 * abs(turn) / most, 0.3), free)
     return Onward(x + length * cos(heading + turn), y + length * sin(heading + turn), heading + turn, course)

@@ -18,8 +18,10 @@ def along(line: np.ndarray, distances: np.ndarray) -> tuple[np.ndarray, np.ndarr
     return points, np.arctan2(*(ahead - behind).T[::-1])
 
 
-def walk(biped: Dimensions, line: np.ndarray, heading: float, side: int, last_side: int | None) -> list[Step]:
-    """Steps from the start of a polyline (P, 2) to its end.
+def walk(
+    biped: Dimensions, line: np.ndarray, heading: float, side: int, last_side: int | None, stride: float = 1.0
+) -> list[Step]:  # fmt: skip
+    """Steps from the start of a polyline (P, 2) to its end, of `stride` preferred ones.
 
     The first foot is `side`; `last_side` fixes the last one (None: either). The heading at the start is turned on the spot
     as far as one step allows at a time, then headings follow the line.
@@ -28,7 +30,7 @@ def walk(biped: Dimensions, line: np.ndarray, heading: float, side: int, last_si
     steps = _turn_on_spot(biped, line, heading, side)
     if steps:
         heading, side = steps[-1].heading, 1 - steps[-1].side
-    count = max(int(np.ceil(length / biped.gait.preferred_step - 0.25)), 1)
+    count = max(int(np.ceil(length / (stride * biped.gait.preferred_step) - 0.25)), 1)
     if last_side is not None and (side + count - 1) % 2 != last_side:
         count += 1
     points, directions = along(line, np.arange(1, count + 1) * length / count)

@@ -1,6 +1,9 @@
 """Files of arrays: .npz without pickles, with a JSON string `meta`, written whole or not at all."""
 
 import json
+import math
+import struct
+import tokenize
 import zipfile
 import zlib
 from pathlib import Path
@@ -10,13 +13,16 @@ import numpy as np
 
 from sim.files import outputs
 from worlds.errors import InputError
+from worlds.reading import is_regular
 
 Arrays = dict[str, np.ndarray]
-_UNREADABLE = (
-    ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error, KeyError, TypeError, SyntaxError, OverflowError,
-    RuntimeError, MemoryError,
+LARGEST = 16_000_000_000
+"""Bytes that the arrays of a file may take in memory."""
+UNREADABLE = (
+    ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error, KeyError, TypeError, NotImplementedError, RuntimeError,
+    MemoryError, OverflowError, SyntaxError, struct.error, AttributeError, IndexError, tokenize.TokenError,
 )  # fmt: skip
-"""What zipfile and numpy raise for files that are damaged, encrypted, or declare more than any memory holds."""
+"""What a damaged or forged archive makes its readers raise; nested too deeply is a RuntimeError."""
 
 
 def write(path: str | Path, arrays: Arrays, meta: dict, compressed: bool = True) -> None:
@@ -32,15 +38,16 @@ def read(path: str | Path, what: str, hint: str, needed: tuple[str, ...], form: 
     hint: how such a file is made; needed: arrays that it must have; form: the number `format` in its meta.
     """
     path = Path(path)
-    if not path.is_file():
+    if not is_regular(path):
         raise InputError(f"{path}: no such file; {what} is made with {hint}")
     if not zipfile.is_zipfile(path):
         raise InputError(f"{path}: is not readable as {what}: it is no .npz file, or was cut short")
     try:
+        _check_sizes(path)
         with np.load(path, allow_pickle=False) as file:
             arrays = {name: file[name] for name in file.files}
         meta = json.loads(str(arrays.pop("meta"))) if "meta" in arrays else None
-    except _UNREADABLE as error:
+    except UNREADABLE as error:
         raise InputError(f"{path}: is not readable as {what} ({error})") from None
     missing = [name for name in needed if name not in arrays]
     if missing or not isinstance(meta, dict):
@@ -48,6 +55,23 @@ def read(path: str | Path, what: str, hint: str, needed: tuple[str, ...], form: 
     if meta.get("format") != form:
         raise InputError(f"{path}: meta.format = {meta.get('format')!r}: {form} is needed; written by another version")
     return arrays, meta
+
+
+def _check_sizes(path: Path) -> None:
+    """Raises ValueError for an archive whose arrays are not as large as it says, before memory is asked for them."""
+    total = 0
+    with zipfile.ZipFile(path) as archive:
+        for info in archive.infolist():
+            with archive.open(info) as member:
+                major, _ = np.lib.format.read_magic(member)
+                read_header = np.lib.format.read_array_header_1_0 if major == 1 else np.lib.format.read_array_header_2_0
+                shape, _, dtype = read_header(member)
+                size = math.prod(shape) * dtype.itemsize
+                if min(shape, default=0) < 0 or member.tell() + size != info.file_size:
+                    raise ValueError(f"{info.filename} tells {size} bytes, and has {info.file_size}")
+            total += size
+    if total > LARGEST:
+        raise ValueError(f"takes {total} bytes; at most {LARGEST} are read")
 
 
 def flat(prefix: str, table: tuple) -> Arrays:
@@ -59,9 +83,9 @@ def flat(prefix: str, table: tuple) -> Arrays:
 
 
 def unflat(prefix: str, model: Any, arrays: Arrays, rows: int | None = None) -> Any:
-    """What `flat` made arrays of, of the model's types, dimensions and, but where `rows` are given, numbers of rows.
+    """What `flat` made arrays of, of the model's types and shapes; where `rows` are given, of its dimensions, and so many rows.
 
-    Raises KeyError, ValueError.
+    Floats must be finite. Raises KeyError, ValueError.
     """
     found = {}
     for name, expected in model._asdict().items():
@@ -70,8 +94,10 @@ def unflat(prefix: str, model: Any, arrays: Arrays, rows: int | None = None) -> 
             found[name] = unflat(key, expected, arrays, rows)
             continue
         array = arrays[key]
-        count = len(expected) if rows is None else rows
-        if array.dtype != expected.dtype or array.ndim != expected.ndim or len(array) != count:
+        fits = array.shape == expected.shape if rows is None else array.ndim == expected.ndim and len(array) == rows
+        if array.dtype != expected.dtype or not fits:
             raise ValueError(f"{key} is {array.dtype} {array.shape}")
+        if array.dtype.kind == "f" and not np.isfinite(array).all():
+            raise ValueError(f"{key}: finite numbers are needed")
         found[name] = np.ascontiguousarray(array)
     return type(model)(**found)

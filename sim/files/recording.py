@@ -11,9 +11,12 @@ import numpy as np
 from motion.pose.pose import Pose
 from sim.files import archive
 from sim.files.frames import Frames
+from sim.files.schema import RunMeta, check_run
 from sim.stage.cast import Cast, Change
 from sim.stage.commands import Recast, from_plain
 from sim.stage.edits import Edit
+from worlds.errors import InputError
+from worlds.reading import checked
 from worlds.world import World
 
 FORMAT = 1
@@ -50,6 +53,7 @@ class Recorder:
             "tree": world.arrays.trees,
             "rock": world.arrays.rocks,
             "bounds": world.arrays.bounds,
+            "heights": world.heights,
         }
 
     def recording(self) -> "Recording":
@@ -66,8 +70,8 @@ class Recorder:
             "seed": sim.seed,
             "rate": sim.tick_rate,
             "characters": [character.to_dict() for character in sim.first_characters],
-            "world": sim.world.to_dict(),
-            "first_world": None if sim.world is sim.first_world else sim.first_world.to_dict(),
+            "world": sim.world.to_dict(heights=False),
+            "first_world": None if sim.world is sim.first_world else sim.first_world.to_dict(heights=False),
             "changes": [change._asdict() for change in sim.changes],
             "versions": {"python": platform.python_version(), **packages},
         }
@@ -92,13 +96,14 @@ class Recording:
     @property
     def world(self) -> World:
         """The world as it was at the end of the run."""
-        return World.from_dict(self.meta["world"])
+        return World.from_dict(self.meta["world"], self.arrays.get("heights"))
 
     @cached_property
     def worlds(self) -> list[tuple[float, World]]:
         """The worlds of the run, each with the time [s] after which it was there; the first from the beginning."""
         first = self.meta.get("first_world") or self.meta["world"]
-        found, world = [(-np.inf, World.from_dict(first))], World.from_dict(first)
+        world = World.from_dict(first, self.arrays.get("heights"))
+        found = [(-np.inf, world)]
         for tick, plain in self.changes:
             command = from_plain(plain)
             if isinstance(command, Edit):
@@ -118,4 +123,12 @@ class Recording:
 
 def load_recording(path: str | Path) -> Recording:
     """Reads a recording. Raises InputError for files that are none, or damaged."""
-    return Recording(*archive.read(path, "a recording", "--record RUN.npz", NEEDED, FORMAT))
+    arrays, meta = archive.read(path, "a recording", "--record RUN.npz", NEEDED, FORMAT)
+    recording = Recording(arrays, meta)
+    try:
+        check_run(arrays, checked("meta", meta, RunMeta))
+        recording.worlds  # noqa: B018  (raises what is wrong with them)
+        World.from_dict(meta["world"], arrays.get("heights"))
+    except (ValueError, TypeError, KeyError, AttributeError, IndexError) as error:
+        raise InputError(f"{path}: is damaged: {error}") from None
+    return recording

@@ -13,24 +13,27 @@ from typing import Any
 import numpy as np
 
 from motion.characters.character import Character
-from planner.planner import Planner
+from planner.planner import NoWay, Planner
 from planner.planners import PLANNERS
 from sim import VERSION
 from sim.files import archive
+from sim.files.schema import StateMeta, check_crowd, check_log
 from sim.rows.crowd import empty_crowd
-from sim.stage.cast import Change
+from sim.stage.cast import Change, kinds_of
+from sim.stage.commands import from_plain
 from sim.stage.simulation import Simulation, State
 from worlds.errors import InputError
+from worlds.reading import checked
 from worlds.world import World
 
-FORMAT = 2
-CROWD, PLANS, LOG = "crowd", "plans", "footprint_"
+FORMAT = 3
+CROWD, PLANS, LOG, HEIGHTS = "crowd", "plans", "footprint_", "heights"
 
 
 def save(sim: Simulation, path: str | Path) -> None:
     """Writes the state of a simulation. Raises InputError where that cannot be done."""
     arrays = archive.flat(CROWD, sim.crowd) | ({} if sim.plans is None else archive.flat(PLANS, sim.plans))
-    arrays |= sim.footprints.kept()
+    arrays |= sim.footprints.kept() | {HEIGHTS: sim.world.heights}
     meta = _meta(sim)
     archive.write(path, arrays, meta | {"digest": _digest(arrays, meta)}, compressed=False)
 
@@ -46,8 +49,8 @@ def _meta(sim: Simulation) -> dict:
         "steps": sim.footprints.steps,
         "recasts": sim.footprints.recasts.tolist(),
         "distance": sim.distance.tolist(),
-        "world": sim.world.to_dict(),
-        "first_world": sim.first_world.to_dict() if sim.first_world is not sim.world else None,
+        "world": sim.world.to_dict(heights=False),
+        "first_world": sim.first_world.to_dict(heights=False) if sim.first_world is not sim.world else None,
         "kinds": [{"dimensions": kind.to_dict(), "look": kind.look.model_dump()} for kind in sim.kinds],
         "kind": sim.kind.tolist(),
         "planner": {"name": sim.planner.name, "values": sim.planner.values()},
@@ -58,7 +61,8 @@ def _meta(sim: Simulation) -> dict:
 def _digest(arrays: archive.Arrays, meta: dict) -> str:
     whole = hashlib.sha256(json.dumps({k: v for k, v in meta.items() if k != "digest"}, sort_keys=True).encode())
     for name in sorted(arrays):
-        whole.update(name.encode() + np.ascontiguousarray(arrays[name]).tobytes())
+        array = np.ascontiguousarray(arrays[name])
+        whole.update(f"{name} {array.dtype.descr} {array.shape}".encode() + array.tobytes())
     return whole.hexdigest()
 
 
@@ -72,13 +76,14 @@ def restore(path: str | Path, planner: Planner | None = None) -> Simulation:
         raise InputError(f"{path}: was saved by version {meta.get('version')!r} of Footfall; only that one can go on from it")
     if meta.get("digest") != _digest(arrays, meta):
         raise InputError(f"{path}: is damaged: its contents are not what was saved")
+    checked(f"{path}: meta", meta, StateMeta)
     if planner is None and meta["planner"]["name"] not in PLANNERS:
         known, name = ", ".join(PLANNERS), meta["planner"]["name"]
         raise InputError(f"{path}: its planner {name!r} is none of {known}: restore(path, planner) takes it at hand")
     try:
         return _simulation(arrays, meta, planner or PLANNERS[meta["planner"]["name"]](**meta["planner"]["values"]))
-    except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
-        raise InputError(f"{path}: is damaged: {error!r}") from None
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError, NoWay) as error:
+        raise InputError(f"{path}: is damaged: {error}") from None
 
 
 def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulation:
@@ -86,14 +91,22 @@ def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulat
     crowd = archive.unflat(CROWD, empty_crowd(arrays[f"{CROWD}.kind"]), arrays)
     sample: Any = getattr(planner.planning, "sample", None)
     plans = None if sample is None else archive.unflat(PLANS, sample, arrays, len(crowd.kind))
-    sim = Simulation(
-        World.from_dict(meta["world"]), [kinds[k] for k in meta["kind"]], planner, meta["seed"], meta["tick_rate"],
-        State(meta["ticks"], crowd, plans),
-    )  # fmt: skip
-    sim.changes = [Change(**change) for change in meta["changes"]]
-    sim.distance[:] = meta["distance"]
-    if meta["first_world"] is not None:
-        sim.first_world = World.from_dict(meta["first_world"])
+    check_plans = getattr(planner, "check_plans", None)
+    if check_plans is not None:
+        check_plans(plans, len(crowd.kind))
+    cast = [kinds[k] for k in meta["kind"]]
+    check_crowd(crowd, kinds_of(cast)[1], meta["ticks"] / meta["tick_rate"])
+    if len(meta["recasts"]) != len(cast):
+        raise ValueError(f"meta.recasts: {len(meta['recasts'])} for {len(cast)} characters")
     kept = {name: array for name, array in arrays.items() if name.startswith(LOG)}
+    check_log(kept, meta["recasts"])
+    world = World.from_dict(meta["world"], arrays[HEIGHTS])
+    sim = Simulation(world, cast, planner, meta["seed"], meta["tick_rate"], State(meta["ticks"], crowd, plans))
+    sim.distance[:] = meta["distance"]
+    for change in meta["changes"]:
+        from_plain(change["command"])
+        sim.changes.append(Change(**change))
+    if meta["first_world"] is not None:
+        sim.first_world = World.from_dict(meta["first_world"], arrays[HEIGHTS])
     sim.footprints.take(meta["steps"], meta["recasts"], kept)
     return sim

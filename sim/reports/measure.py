@@ -72,6 +72,8 @@ def _check(recording: Recording) -> None:
         lacks += [f"meta.characters.{c}.{name}" for name in _DIMENSIONS if name not in dimensions]
     if lacks:
         raise InputError(f"the recording lacks {', '.join(lacks)}; record the run again with this version")
+    if not len(recording.arrays["time"]):
+        raise InputError("the recording has no frames: there is nothing to measure")
     spacing = np.diff(recording.arrays["time"])
     if len(spacing) and np.ptp(spacing) > UNEVEN:
         raise InputError(

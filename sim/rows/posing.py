@@ -1,5 +1,6 @@
 """Poses of a crowd: the one place where characters are posed in threads."""
 
+from threading import RLock
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,6 +18,10 @@ SHARE = 4
 """Characters that a thread takes at a time; so many are no work for two."""
 WORKERS = 64
 """More than there are threads: each works until nothing is left, and those that come late find nothing."""
+
+
+THREADS = RLock()
+"""Held while kernels work in threads: numba's own end the process where two Python threads ask for them at once."""
 
 
 class Shown(NamedTuple):

@@ -17,9 +17,11 @@ from motion.track.footprints import Footprints
 from sim.rows import crowd as crowds
 from sim.rows import posing
 from sim.rows.footprint_log import FootprintLog, Walked
+from sim.stage import asked
 from worlds.compiled.jit import start_threads
 from worlds.compiled.memory import Held
 from worlds.compiled.tables import copied, picked
+from worlds.errors import InputError
 from worlds.world import World
 
 TICK_RATE = 60
@@ -36,9 +38,10 @@ class Cast:
     """Characters, standing at first. A subclass lets them move: `tick`."""
 
     def __init__(self, world: World, characters: Sequence[Character], seed: int, tick_rate: int, **capacity: int) -> None:
+        asked.check_cast(world, characters, seed, tick_rate)
         start_threads()
         self.world, self.characters = world, list(characters)
-        self.seed, self.tick_rate, self.ticks = int(seed), tick_rate, 0
+        self.seed, self.tick_rate, self.ticks = int(seed), int(tick_rate), 0
         self.kinds, kind = kinds_of(self.characters)
         self.bipeds = table_of(self.kinds)
         self.crowd = crowds.empty_crowd(kind, **capacity)
@@ -65,21 +68,25 @@ class Cast:
 
     def moment(self, time: float | None) -> float:
         """The time [s] that is shown for `time`, by default now."""
-        return self.time if time is None else float(time)
+        return self.time if time is None else asked.moment(time)
 
     def snapshot(self, time: float | None = None, rows: np.ndarray | None = None) -> Pose:
         """Pose of the characters `rows`, by default all, at `time` [s], by default now.
 
         Any time within the last steps, up to now, is exact; asking changes nothing.
         """
-        rows = np.arange(len(self.characters)) if rows is None else rows
+        rows = np.arange(len(self.characters)) if rows is None else asked.rows_of(rows, len(self.characters))
         pose = empty_pose(len(rows))
         self.pose_into(pose, self.moment(time), rows)
         return pose
 
     def pose_into(self, pose: Pose, time: float, rows: np.ndarray) -> None:
         """Fills `pose`, of K rows, with the characters `rows` (K,) at `time` [s]."""
-        posing.pose_rows(pose_one.address, self._shown_at(), time, rows, pose)
+        rows = asked.rows_of(rows, len(self.characters))
+        if len(pose.phase) < len(rows):
+            raise InputError(f"a pose of {len(pose.phase)} rows: {len(rows)} are needed")
+        with posing.THREADS:
+            posing.pose_rows(pose_one.address, self._shown_at(), asked.moment(time), rows, pose)
 
     def com(self, time: float | None = None) -> np.ndarray:
         """Centres of mass (C, 3) of all characters at `time` [s], by default now, without posing them."""
@@ -89,11 +96,12 @@ class Cast:
 
     def skeleton(self, character: int) -> Skeleton:
         """The bones of a character at rest."""
-        return skeleton_of(self.characters[character])
+        return skeleton_of(self.characters[asked.whole("character", character, 0, len(self.characters) - 1)])
 
     def bones(self, character: int, time: float | None = None) -> Bones:
         """The bones of a character at `time` [s], by default now: one row, in the order of its skeleton."""
-        return bones_of(self.characters[character], self.snapshot(time, np.array([character])), self.skeleton(character))
+        skeleton = self.skeleton(character)
+        return bones_of(self.characters[character], self.snapshot(time, np.array([character])), skeleton)
 
     def _shown_at(self) -> int:
         """Where kernels find what is seen."""
@@ -156,7 +164,8 @@ class Cast:
 
     def stand(self, c: int, side: int, places: np.ndarray) -> None:
         """Lets character c stand, from now on, on places (2, 3) x, y, heading, the second with foot `side`."""
-        crowds.stand(self.crowd, self.bipeds, self.world.arrays, c, side, places, self.time)
+        asked.whole("character", c, 0, len(self.characters) - 1)
+        crowds.stand(self.crowd, self.bipeds, self.world.arrays, c, side, asked.check_places(side, places), self.time)
 
 
 def kinds_of(characters: Sequence[Character]) -> tuple[list[Character], np.ndarray]:

@@ -15,6 +15,8 @@ from worlds.world import World
 
 ROOM = 0.7
 """A tree or rock is not put this near to a foot [m]."""
+BESIDE = 0.05
+"""Nor does its side come this near to a sole [m]."""
 DRY = 0.3
 """A goal is this far from trees and water [m]."""
 
@@ -48,8 +50,10 @@ def _room(sim: Simulation, x: float, y: float, radius: float, what: str) -> None
     if not (math.isfinite(radius) and 0 < radius <= 1000):
         raise InputError(f"{what}: radius = {radius!r}: more than 0, at most 1000 m is allowed")
     feet = sim.feet().position[:, :, :2].reshape(-1, 2)
-    if float(np.hypot(*(feet - (x, y)).T).min()) < ROOM:
-        raise InputError(f"{what} at ({x:.2f}, {y:.2f}): too near to a foot; {ROOM:g} m away or more is allowed")
+    sole = 0.5 * np.hypot(sim.bipeds["foot"]["length"], sim.bipeds["foot"]["width"])[sim.crowd.kind].repeat(2)
+    needed = np.maximum(ROOM, radius + sole + BESIDE)
+    if (np.hypot(*(feet - (x, y)).T) < needed).any():
+        raise InputError(f"{what} at ({x:.2f}, {y:.2f}): too near to a foot; {needed.max():.2f} m away or more is allowed")
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ from motion.characters.character import Character, load_character
 from motion.com import newton, window
 from motion.motion import Motion, solve
 from planner.script.laying import laid
+from planner.script.review import review
 from planner.script.scene import Scene
 from sim.stage.cast import TICK_RATE, Cast
 
@@ -17,11 +18,14 @@ class Performance(Cast):
         self, scene: Scene, character: Character | None = None, tick_rate: int = TICK_RATE,
         effort: newton.Effort = newton.SCENE,
     ) -> None:  # fmt: skip
-        """character: who does it, the scene's own by default. Raises InputError where feet cannot do that."""
+        """character: who does it, the scene's own by default. Raises InputError where feet cannot do that.
+
+        `warnings` tells what will be ugly.
+        """
         who = character or load_character(scene.character)
-        footprints = laid(
-            scene.footprints_of(who), who, scene.world.arrays, scene.stand_before, scene.stand_after, scene.support, scene.name
-        )
+        given = scene.footprints_of(who)
+        self.warnings = review(given, who, scene.world.arrays, scene.name)
+        footprints = laid(given, who, scene.world.arrays, scene.stand_before, scene.stand_after, scene.support, scene.name)
         self.scene, self.room = scene, len(footprints.side)
         end = float(footprints.contact_time[-1]) + scene.stand_after
         layout = window.LAYOUTS[scene.segments]

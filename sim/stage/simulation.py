@@ -19,6 +19,7 @@ from planner.round.round import Round
 from planner.stepping.beside import beside
 from sim.rows import rounds
 from sim.rows.crowd import Crowd
+from sim.rows.posing import THREADS
 from sim.stage.cast import TICK_RATE, Cast, Change, kinds_of, table_of
 from worlds.compiled.memory import Held
 from worlds.world import World
@@ -56,7 +57,7 @@ class Simulation(Cast):
             self._plan()
 
     def _begin(self) -> None:
-        starts = checked_starts(self.planner.starts(self.world, self.characters, self.seed), self.world, len(self.characters))
+        starts = checked_starts(self.planner.starts(self.world, self.characters, self.seed), self.world, self.characters)
         for c, (x, y, heading) in enumerate(starts.tolist()):
             self.stand_beside(c, (x, y), heading)
         # Footprint 2 is the right foot standing on: plans begin at footprint 3, when the left one is the older.
@@ -77,7 +78,8 @@ class Simulation(Cast):
 
     def _plan(self) -> None:
         """Rounds until nobody runs out of motion. Raises what a planner in Python raised, ValueError for bad wishes."""
-        rounds.advance_all(rounds.compiled_parts(), self.work.address, self.time + 1e-9, self._placed)
+        with THREADS:
+            rounds.advance_all(rounds.compiled_parts(), self.work.address, self.time + 1e-9, self._placed)
         if self._placed.any():
             self.footprints.add(self.crowd, self._placed)
         self.planner.planning.check()

@@ -13,7 +13,9 @@ from planner.river.rock_hop import RockHop
 from planner.river.route import route
 from worlds import queries
 from worlds.compiled.tables import empty
+from worlds.errors import InputError
 from worlds.level import load_level
+from worlds.world import River, World
 
 HUMAN = load_character("human").biped
 
@@ -111,3 +113,38 @@ def test_no_way_names_the_gap():
     feet = Footprints(*(column[None] for column in standing(world)))
     situation = Situation(bridged, [load_character("bird")], feet, np.array([3]), 0)
     assert RockHop().prepare(situation).length[0] > 10
+
+
+def test_those_who_are_alike_go_one_way_and_too_many_are_refused():
+    world, bird, human = load_level("river_easy"), load_character("bird"), load_character("human")
+    feet = Footprints(*(np.repeat(column[None], 3, axis=0) for column in standing(world)))
+    plans = RockHop().prepare(Situation(world, [bird, human, bird], feet, np.full(3, 3), 0))
+    assert plans.length[0] == plans.length[2] != plans.length[1]
+    assert plans.steps[0].tobytes() == plans.steps[2].tobytes()
+    with pytest.raises(InputError, match="501 characters: at most 500"):
+        RockHop().starts(world, [bird] * 501, 0)
+
+
+def test_a_river_too_wide_names_the_gap():
+    river = River(np.array([[15.0, -5.0], [15.0, 25.0]]), 8.0)
+    world = World("wide", (30.0, 20.0), rivers=(river,), start=(3.0, 10.0), goal=(27.0, 10.0))
+    with pytest.raises(NoWay, match="is narrowest") as told:
+        route(world, load_character("human"), standing(world))
+    assert 8.0 < told.value.gap["distance"] < 9.0 and told.value.gap["reach"] == 2.0
+
+
+def test_a_rock_written_twice_carries_a_foot():
+    rocks = np.array([(9.0 + 0.6 * k, 10.0, 0.3, 0.1) for k in range(5) for _ in (0, 1)])
+    world = World("twice", (20.0, 20.0), rivers=(River(np.array([[10.2, -5.0], [10.2, 25.0]]), 3.2),), rocks=rocks,
+                  start=(3.0, 10.0), goal=(17.0, 10.0))  # fmt: skip
+    steps = route(world, load_character("human"), standing(world))
+    assert any(queries.rock_under(world.arrays, step.x, step.y, 0.0) >= 0 for step in steps)
+    assert not any(queries.in_water(world.arrays, step.x, step.y) for step in steps)
+
+
+def test_no_foot_is_set_onto_a_rock_under_a_tree():
+    rocks = np.array([(x, 5.0, 0.4, 0.1) for x in (8.9, 10.0, 11.1)])
+    world = World("tree", (20.0, 10.0), trees=np.array([[10.0, 5.0, 0.3]]), rocks=rocks, start=(5.0, 5.0), goal=(17.0, 5.0),
+                  rivers=(River(np.array([[10.0, -5.0], [10.0, 15.0]]), 4.0),))  # fmt: skip
+    for step in route(world, load_character("human"), standing(world)):
+        assert queries.tree_clearance(world.arrays, step.x, step.y) > 0.1
