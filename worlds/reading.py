@@ -1,7 +1,10 @@
 """Reading files that people write: TOML in, checked data out, every fault of a file in one report."""
 
 import difflib
+import os
 import re
+import select
+import stat
 import tomllib
 from collections.abc import Iterable
 from pathlib import Path
@@ -9,7 +12,6 @@ from typing import Any, TypeVar, get_args
 
 from pydantic import BaseModel, ValidationError
 
-from worlds import files
 from worlds.errors import InputError
 
 LARGEST_FILE = 2_000_000
@@ -19,6 +21,10 @@ LONGEST_NAME = 255
 MARKS = ((b"\xef\xbb\xbf", "utf-8-sig"), (b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"))
 """First bytes by which a text says how it is written."""
 REMEDY = r"""; a backslash in "..." begins a special letter: write C:/folder/file, or 'C:\folder\file'"""
+PATIENCE = 10.0
+"""Seconds that a pipe is waited for."""
+_READ: dict[tuple[int, int], bytes] = {}
+"""What came through pipes: it comes once, and may be asked for twice."""
 Model = TypeVar("Model", bound=BaseModel)
 
 
@@ -93,7 +99,7 @@ def checked(path: Path | str, plain: dict, model: type[Model]) -> Model:
 def read_toml(path: Path, what: str, needs: str) -> dict:
     """What a TOML file holds, as plain values. Raises InputError."""
     try:
-        raw = files.content(path, LARGEST_FILE)
+        raw = content_of(path, LARGEST_FILE)
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     if raw is None:
@@ -161,3 +167,36 @@ def _table_in(annotation: Any) -> type[BaseModel] | None:
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return annotation
     return next((found for part in get_args(annotation) if (found := _table_in(part))), None)
+
+
+def content_of(path: Path, most: int) -> bytes | None:
+    """What the file holds; None where that is more than `most` bytes. Raises OSError."""
+    found = os.stat(path)
+    if stat.S_ISREG(found.st_mode):
+        with open(path, "rb") as file:
+            return _capped(file.read(most + 1), most)
+    key = (found.st_dev, found.st_ino)
+    if key not in _READ:
+        _READ[key] = _through(path, most + 1)
+    return _capped(_READ[key], most)
+
+
+def _capped(data: bytes, most: int) -> bytes | None:
+    return data if len(data) <= most else None
+
+
+def _through(path: Path, most: int) -> bytes:
+    """What comes through a pipe, or out of a device, up to `most` bytes. Raises OSError where nothing comes."""
+    pipe = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
+    data = b""
+    try:
+        while len(data) < most:
+            if os.name == "posix" and not select.select([pipe], [], [], PATIENCE)[0]:
+                raise TimeoutError(0, f"nothing has come through it for {PATIENCE:.0f} s")
+            piece = os.read(pipe, min(most - len(data), 1 << 16))
+            if not piece:
+                break
+            data += piece
+    finally:
+        os.close(pipe)
+    return data

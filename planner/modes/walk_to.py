@@ -106,7 +106,7 @@ def _arrive(round: Round, me: Me, middle: Place) -> Wish:
     biped, older, newer = biped_of(round, me), me.feet.older, me.feet.newer
     x, y = middle_beside(biped, older)
     if older.side != newer.side and hypot(x - middle[0], y - middle[1]) > TOGETHER * biped.gait.preferred_step:
-        return stepping(older.side, beside(biped, older.side, middle, newer.heading), newer.heading, newer.heading, False)
+        return surely(round, me, middle, newer.heading, newer.heading, False)
     still = standing(me, STAND_TIME)
     return Wish(still.step, still.course, still.longest, True, True)
 

@@ -11,7 +11,7 @@ import pytest
 
 import main
 from sim.cli import parser
-from worlds import files, reading
+from worlds import reading
 from worlds.errors import InputError
 
 
