@@ -106,7 +106,7 @@ def test_pipes_are_read_and_endless_ones_are_not(tmp_path, capsys, monkeypatch):
     writer.join()
     assert "bytes" in refused(["check", "/dev/zero"], capsys)
     os.mkfifo(tmp_path / "silent")
-    monkeypatch.setattr(files, "PATIENCE", 0.0)
+    monkeypatch.setattr(reading, "PATIENCE", 0.0)
     with pytest.raises(InputError, match="nothing has come"):
         reading.read_toml(tmp_path / "silent", "level", "")
 
