@@ -123,8 +123,8 @@ def share_at(gone: float, hold: float, run: float) -> float:
 @jit_borrowing
 def room_beside(biped: Dimensions) -> float:
     """How far [m] a swinging foot's middle keeps from that of the other foot when it passes it: both shanks and
-    nearly a sole, as a bent leg leans inward."""
-    return 0.9 * biped.foot.width + 2 * biped.leg.shank_radius
+    a sole, as a bent leg leans inward."""
+    return biped.foot.width + 2 * biped.leg.shank_radius
 
 
 @jit_borrowing

@@ -22,6 +22,8 @@ HIGH = 1.6
 """A lift above this many clearances has an edge to go over."""
 MOST_RISES = 3
 """No lift is above so many of the highest steps: whatever lies between needs no more."""
+ROUGH = 0.16
+"""Clearance on ground that is not level, in foot lengths, where the gait's own is less: there one lifts the feet."""
 EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
 QUICK, CALM = 0.6, 1.2
@@ -138,11 +140,11 @@ def is_level(biped: Dimensions, world: WorldArrays, footprints: Footprints, befo
 @jit_borrowing
 def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before: int, after: int) -> float:
     """Lift [m] with which heel, ball and toe clear the ground below by the gait's clearance at mid-swing."""
-    clearance, most = biped.gait.clearance, MOST_RISES * biped.reach.max_rise
-    lift, ball = clearance, biped.foot.ball_forward
+    most, ball = MOST_RISES * biped.reach.max_rise, biped.foot.ball_forward
     back, ahead = -0.5 * biped.foot.length - ball, 0.5 * biped.foot.length - ball
     footprints.lift[after] = 0.0
     level = is_level(biped, world, footprints, before, after)
+    lift = clearance = biped.gait.clearance if level else max(biped.gait.clearance, ROUGH * biped.foot.length)
     samples = LEVEL_SAMPLES if level else SAMPLES
     for k in range(1, samples):
         s = k / samples

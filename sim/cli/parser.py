@@ -107,6 +107,10 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     timing.add_argument("--plot", metavar="OUT.png", help="draw it (.png, .svg, .pdf)")
     timing.add_argument("--json", action="store_true")
     literature = commands.add_parser("literature", help="compare the human, walking and running on the flat, with people")
+    literature.add_argument(
+        "--curves", metavar="PEOPLE.csv", help="compare whole curves: gait,quantity,percent,mean in columns"
+    )
+    literature.add_argument("--plot", metavar="OUT.png", help="draw the curves of a stride (.png, .svg, .pdf)")
     literature.add_argument("--json", action="store_true")
     check = commands.add_parser("check", help="check level, scene and character files; names every fault")
     check.add_argument("files", nargs="+", metavar="FILE")

@@ -10,6 +10,7 @@ from sim.cli.status import DONE
 from sim.files import outputs
 from sim.files.recording import load_recording
 from sim.reports import literature, measured, timings
+from sim.reports.cycles import people_of
 from sim.reports.measure import measure
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
@@ -42,7 +43,12 @@ def timing(options: Any) -> int:
 
 def people(options: Any) -> int:
     """The human beside people; a figure that does not fit is no error of the command."""
-    rows = literature.compare()
+    _check_plot(options.plot)
+    curves = people_of(options.curves) if options.curves else {}
+    rows = literature.compare() + (literature.compare_with(curves) if curves else [])
+    if options.plot:
+        _plots().plot_strides(literature.strides(), curves, options.plot)
+        _say_plot(options)
     print(json.dumps(literature.as_dict(rows)) if options.json else literature.in_words(rows))
     return DONE
 

@@ -96,8 +96,9 @@ def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulat
         check_plans(plans, len(crowd.kind))
     cast = [kinds[k] for k in meta["kind"]]
     check_crowd(crowd, kinds_of(cast)[1], meta["ticks"] / meta["tick_rate"])
-    if len(meta["recasts"]) != len(cast):
-        raise ValueError(f"meta.recasts: {len(meta['recasts'])} for {len(cast)} characters")
+    for name in ("recasts", "distance"):
+        if len(meta[name]) != len(cast):
+            raise ValueError(f"meta.{name}: {len(meta[name])} for {len(cast)} characters")
     kept = {name: array for name, array in arrays.items() if name.startswith(LOG)}
     check_log(kept, meta["recasts"])
     world = World.from_dict(meta["world"], arrays[HEIGHTS])

@@ -57,6 +57,7 @@ class StateMeta(_Strict):
     seed: Annotated[int, Field(ge=0, le=MOST_SEED)]
     steps: Count
     recasts: list[Count]
+    distance: list[Annotated[float, Field(ge=0, allow_inf_nan=False)]]
     world: Plain
     first_world: Plain | None
     kinds: Annotated[list[_Kind], Field(min_length=1)]

@@ -16,6 +16,7 @@ from motion.track.footprints import Footprints
 from sim.files import outputs
 from sim.files.recording import Recording
 from sim.palette import PHASES
+from sim.reports.cycles import ANGLES, Cycle
 from sim.reports.measure import footprints_of, frames_of
 from worlds.errors import InputError
 
@@ -139,6 +140,30 @@ def plot_timings(tables: dict[str, dict], path: str | Path) -> None:
         figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
         figure.align_ylabels(axes[:, 0])
         _write(figure, path)
+
+
+def plot_strides(strides: dict[str, Cycle], people: dict, path: str | Path) -> None:
+    """Draws hip, knee, ankle [deg] and force over a stride, a row per gait, beside curves of people where there are some."""
+    with matplotlib.rc_context(_STYLE):
+        figure = Figure(figsize=(13, 3 * len(strides)), layout="constrained")
+        axes = figure.subplots(len(strides), len(ANGLES) + 1, squeeze=False, sharex=True)
+        for row, (gait_name, ours) in zip(axes, strides.items(), strict=True):
+            for axis, quantity in zip(row, ANGLES, strict=False):
+                _stride(axis, ours.percent, ours.angles[quantity], people.get((gait_name, quantity)))
+                axis.set_title(f"{gait_name}: {quantity.replace('_', ' ')} [deg]", fontsize=9, loc="left")
+            _stride(row[-1], ours.percent, ours.force, None)
+            row[-1].set_title(f"{gait_name}: force [body weights]", fontsize=9, loc="left")
+        for axis in axes[-1]:
+            axis.set_xlabel("stride [%]")
+        figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
+        _write(figure, path)
+
+
+def _stride(axis: Axes, percent: np.ndarray, values: np.ndarray, theirs: np.ndarray | None) -> None:
+    axis.plot(percent, values, color=SIDES[0], label="here")
+    if theirs is not None:
+        offset = float(np.mean(np.interp(theirs[:, 0], percent, values) - theirs[:, 1]))
+        axis.plot(theirs[:, 0], theirs[:, 1] + offset, "--", color=INK, label="people, at our mean")
 
 
 def _timing(axes: np.ndarray, name: str, table: dict) -> None:

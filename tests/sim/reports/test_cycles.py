@@ -1,8 +1,11 @@
 """Gait cycles beside curves of people: the comparison on curves of known difference, and files that are none."""
 
+import json
+
 import numpy as np
 import pytest
 
+import main
 from sim.reports import literature
 from sim.reports.cycles import ANGLES, PERCENT, Cycle, compared, people_of
 from worlds.errors import InputError
@@ -37,3 +40,15 @@ def test_curves_are_read_and_nonsense_is_told(tmp_path):
 def test_the_humans_figures_lie_among_peoples():
     """All but one: the knee stays a little bent in mid-stance."""
     assert [row.what for row in literature.compare() if not row.fits] in ([], ["walk: knee, straightest in stance"])
+
+
+def test_curves_are_compared_and_drawn_by_command(tmp_path, capsys):
+    pytest.importorskip("matplotlib")
+    path, head = tmp_path / "people.csv", "dataset,gait,speed_mps,quantity,percent,mean\n"
+    path.write_text(head + "".join(f"a,walk,1.2,knee_flexion,{p},{20 + p % 30}\n" for p in range(0, 101, 5)))
+    picture = tmp_path / "strides.png"
+    assert main.main(["literature", "--curves", str(path), "--plot", str(picture), "--json"]) == 0
+    rows = [row["what"] for row in json.loads(capsys.readouterr().out)["rows"]]
+    assert "walk: knee flexion, rms difference" in rows and picture.stat().st_size > 10_000
+    assert main.main(["literature", "--curves", str(tmp_path / "none.csv")]) == 2
+    assert "cannot be read" in capsys.readouterr().err
