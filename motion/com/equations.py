@@ -91,10 +91,19 @@ def _add_models(
 @jit_inline
 def _put_block(band: np.ndarray, k: int, row: int, column: int, block: np.ndarray, lane: int) -> None:
     """Adds the 3x3 block of coefficients `row` >= `column` to the band."""
-    for a in range(3):
-        for b in range(a if row == column else 0, 3):
-            low, high = min(a, b), max(a, b)
-            band[3 * column + a, 3 * (row - column) + b - a] += block[k, high * (high + 1) // 2 + low, lane]
+    c, d = 3 * column, 3 * (row - column)
+    x, y, z = block[k, 0, lane], block[k, 1, lane], block[k, 2, lane]
+    u, v, w = block[k, 3, lane], block[k, 4, lane], block[k, 5, lane]
+    band[c, d] += x
+    band[c, d + 1] += y
+    band[c, d + 2] += u
+    band[c + 1, d] += z
+    band[c + 1, d + 1] += v
+    band[c + 2, d] += w
+    if d > 0:  # of a block on the diagonal the lower triangle counts
+        band[c + 1, d - 1] += y
+        band[c + 2, d - 2] += u
+        band[c + 2, d - 1] += v
 
 
 @jit_inline

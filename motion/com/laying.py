@@ -14,7 +14,7 @@ from motion.com import problem as problems
 from motion.com.problem import Problem
 from motion.track import foot, heading, phases
 from motion.track.footprints import LEFT, Footprints
-from motion.track.pelvis import pelvis_at
+from motion.track.pelvis import pelvis_between, pelvis_turns
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 
 SINGLE = 3
@@ -77,10 +77,10 @@ def _stance(biped: Dimensions, footprints: Footprints, time: np.ndarray, samples
     times[k] = time[m]
     yaw = np.empty(len(times))
     heading.body_headings(biped, footprints, times, yaw)
-    pelvis = np.empty((len(times), 3))
+    pelvis, turns = np.empty((len(times), 3)), pelvis_turns(biped, footprints)
     for i in range(len(times)):
-        turn, roll = pelvis_at(biped, footprints, times[i])
-        pelvis[i, 0], pelvis[i, 1], pelvis[i, 2] = np.cos(yaw[i] + turn), np.sin(yaw[i] + turn), roll
+        turn, pelvis[i, 2] = pelvis_between(biped, footprints, turns, times[i])
+        pelvis[i, 0], pelvis[i, 1] = np.cos(yaw[i] + turn), np.sin(yaw[i] + turn)
     return Stance(footprints, axis, pelvis)
 
 
