@@ -60,20 +60,21 @@ def check(options: Any) -> int:
     faults = 0
     for name in options.files:
         try:
-            print(f"{name}: fine ({_checked(name)})")
+            what, ugly = _checked(name)
+            print(f"{name}: {f'can be walked, but look at {ugly} warning(s)' if ugly else 'fine'} ({what})")
         except InputError as error:
             print(error, file=sys.stderr)
             faults += 1
     return BAD_INPUT if faults else DONE
 
 
-def _checked(name: str) -> str:
-    """What a level, scene or character file holds, by its tables. Raises InputError."""
+def _checked(name: str) -> tuple[str, int]:
+    """What a level, scene or character file holds, by its tables, and how much of it will be ugly. Raises InputError."""
     tables = reading.tables_of(name)
     if {"biped", "leg"} & tables:
-        return f"character {load_character(name).name}"
+        return f"character {load_character(name).name}", 0
     if {"footprint", "path"} & tables:
         show = Performance(load_scene(name))
-        return f"scene {show.scene.name}: {show.footprints.steps} steps, {show.end:.1f} s"
+        return f"scene {show.scene.name}: {show.footprints.steps} steps, {show.end:.1f} s", len(show.warnings)
     world = load_level(name)
-    return f"{world.name}: {len(world.trees)} trees, {len(world.rocks)} rocks"
+    return f"{world.name}: {len(world.trees)} trees, {len(world.rocks)} rocks", 0

@@ -86,3 +86,13 @@ def test_bad_usage_is_status_2(arguments):
     with pytest.raises(SystemExit) as stop:
         main.main(arguments)
     assert stop.value.code == 2
+
+
+def test_what_will_be_ugly_is_not_fine(tmp_path, capsys):
+    """A turn of 60 degrees in a step can be walked, but is no good."""
+    feet = [("left", 2.0, 5.08, 0), ("right", 2.0, 4.92, 0), ("left", 2.6, 5.08, 60)]
+    prints = "".join(f'[[footprint]]\nside = "{side}"\nposition = [{x}, {y}]\nheading_deg = {h}\n' for side, x, y, h in feet)
+    path = tmp_path / "scene.toml"
+    path.write_text(f'format = 1\nname = "turn"\nabout = "turns"\ncharacter = "human"\n[world]\nsize = [9.0, 9.0]\n{prints}')
+    assert main.main(["check", str(path)]) == 0
+    assert "1 warning" in capsys.readouterr().out
