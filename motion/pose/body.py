@@ -59,13 +59,15 @@ def pose_body(biped: Dimensions, track: Track, hips: Hips, t: float, pose: Pose,
     body, past, yaw = biped.body, _empty_past(), hips.yaw
     trunk.past_of(biped, track.curve, t, past)
     pitch, roll = trunk.pitch_and_roll(biped, past, yaw, weight_at(track.footprints, t))
+    breath, aside = trunk.idle_life(biped, past, t)
+    pitch += breath
     angles = (_leg_angle(biped, pose, c, LEFT, yaw), _leg_angle(biped, pose, c, RIGHT, yaw))
     apart = np.tanh(angles[0] - angles[1])
     chest = yaw + body.chest_turn * apart
     _turn(pose.body_rotation_wxyz, c, rotations.quaternion(yaw, pitch, roll))
     _turn(pose.pelvis_rotation_wxyz, c, rotations.quaternion(yaw + hips.turn, 0.4 * pitch, hips.roll))
     _turn(pose.chest_rotation_wxyz, c, rotations.quaternion(chest, pitch, roll))
-    look = trunk.gaze(biped, track.footprints, yaw, t)
+    look = trunk.gaze(biped, track.footprints, yaw, t) + aside
     bob = trunk.head_offset(biped, track.footprints, past, yaw, t)
     _pose_head(biped, (yaw, chest, look), pitch, roll, bob, pose, c)
     _pose_arms(biped, rotations.axes(chest, pitch, roll), angles, trunk.pace(biped, past, yaw), pose, c)

@@ -7,7 +7,7 @@ drops toward the swinging one (motion.track.pelvis); the chest turns against it;
 part in the trunk's pitch and roll as little as it likes.
 """
 
-from math import atan2, cos, sin, sqrt, tanh
+from math import atan2, cos, exp, sin, sqrt, tanh
 
 import numpy as np
 
@@ -27,6 +27,12 @@ RECENT = 3
 """Those that the trunk follows."""
 LOOKS_ASIDE = 1.0
 """Largest turn of the head against the body [rad]."""
+STANDS_BELOW = 0.06
+"""Speed [m/s] below which one stands, about."""
+BREATH, BREATHS = 0.012, 0.5
+"""How far the chest pitches as one breathes [rad], and how fast, per pendulum time [rad]: a person some 15 times a minute."""
+LOOKS_AROUND, LOOKS = 0.9, 0.21
+"""How far one looks aside who stands [rad], and how fast, per pendulum time [rad]."""
 HELD = 0.62
 """Share of a step in which a bobbing head stays in place."""
 
@@ -81,6 +87,29 @@ def pitch_and_roll(biped: Dimensions, past: np.ndarray, yaw: float, weight: floa
     nod = body.pitch_amplitude * (tanh(forward / 2.0) - 0.5 * up)
     lean = body.lean_speed * 1.5 * tanh(pace(biped, past, yaw) / 1.5)
     return nod + lean, -body.roll_amplitude * weight - body.lean_gain * atan2(left, 2 * GRAVITY)
+
+
+@jit_borrowing
+def idleness(biped: Dimensions, past: np.ndarray) -> float:
+    """1 for who stands, 0 walking, smooth between: by the speed of the last moments."""
+    x, y, z = past[0, 0] - past[2, 0], past[0, 1] - past[2, 1], past[0, 2] - past[2, 2]
+    speed = sqrt(x * x + y * y + z * z) / (2 * delay(biped))
+    return exp(-((speed / STANDS_BELOW) ** 2))
+
+
+@jit_borrowing
+def idle_life(biped: Dimensions, past: np.ndarray, t: float) -> tuple[float, float]:
+    """(breath, gaze aside) [rad] of who stands, a function of time: the chest rises and falls, the eyes look around.
+
+    Where one stands tells when, so that a crowd does not breathe in step.
+    """
+    still = idleness(biped, past)
+    if still < 1e-6:
+        return 0.0, 0.0
+    unit = pendulum_time(biped.leg.nominal_length)
+    u, own = t / unit, 7.0 * past[0, 0] + 5.0 * past[0, 1]
+    slow = 0.6 * sin(LOOKS * u + own) + 0.4 * sin(1.83 * LOOKS * u + 2.1 * own)
+    return still * BREATH * sin(BREATHS * u + own), still * LOOKS_AROUND * slow * slow * slow
 
 
 @jit_borrowing

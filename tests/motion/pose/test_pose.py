@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from motion.characters.character import character_names, load_character
-from motion.pose import legs, swing
+from motion.pose import legs, swing, trunk
 from motion.pose.pose import empty_pose
 from motion.pose.posing import pose_into
 from motion.track import foot, heading
@@ -77,3 +77,15 @@ def test_heading_is_the_box_average_of_the_line():
         taus = np.linspace(t - window_length, t, 20001)
         expected = np.interp(taus, footprints.contact_time, value).mean()
         assert heading.body_heading(b, footprints, t) == pytest.approx(expected, abs=1e-4)
+
+
+def test_who_stands_breathes_and_looks_around_and_who_walks_does_not():
+    b = load_character("human").biped
+    still, walking = np.zeros((trunk.PAST, 3)), np.zeros((trunk.PAST, 3))
+    walking[:, 0] = -1.3 * trunk.delay(b) * np.arange(trunk.PAST)
+    moments = np.arange(0.0, 60.0, 1 / 60)
+    life = np.array([trunk.idle_life(b, still, t) for t in moments])
+    assert np.abs(life[:, 0]).max() == pytest.approx(trunk.BREATH, rel=1e-3)
+    assert 0.3 < np.abs(life[:, 1]).max() <= trunk.LOOKS_AROUND
+    assert np.abs(np.diff(life, axis=0)).max() < 0.03  # no jump from frame to frame [rad]
+    assert all(trunk.idle_life(b, walking, t) == (0.0, 0.0) for t in (0.0, 7.3))
