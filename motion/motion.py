@@ -72,7 +72,7 @@ def bones_of(character: Character, pose: Pose, skeleton: Skeleton) -> Bones:
     """The bones of a pose whose rows are all of one character's kind: those of its skeleton, in its order."""
     bones, which = empty(Bones, len(pose.phase)), [INDEX[name] for name in skeleton.names]
     fill_all_bones(character.biped, pose, bones)
-    return Bones(bones.root, bones.rotation_wxyz[:, which], bones.stretch[:, which])
+    return Bones(bones.root, bones.rotation_wxyz.take(which, axis=1), bones.stretch.take(which, axis=1))
 
 
 def placed(bones: Bones, skeleton: Skeleton) -> Placed:

@@ -16,7 +16,7 @@ from motion.com import problem as problems
 from motion.com.cost import ComfortModel, Lower, PhysicsModel, Some, Three
 from motion.com.pieces import Pieces, mix_all, pieces_from, weights_at
 from motion.com.problem import Problem
-from motion.track.basis import ORDER, Basis
+from motion.track.basis import ORDER, Basis, end_weight
 from motion.track.curve import Weights
 from motion.track.footprints import LEFT, RIGHT
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
@@ -184,52 +184,49 @@ def _sum_samples(problem: Problem, pieces: Pieces, i: int, eps: float, equations
 
 
 @jit_inline
-def _ends(pieces: Pieces, end: int) -> Weights:
-    """Weights of the coefficients in the com at an end of the pieces."""
-    return weights_at(pieces, 1.0 * end)[0]
-
-
-@jit_inline
 def _overreaches(problem: Problem, pieces: Pieces, i: int) -> bool:
     """Whether a leg is longer than max_length at an end of the pieces from i on: rarely, and only then it costs."""
     found = False
     for end in range(2):
-        found |= problems.is_beyond(problem, i, end, mix_all(_ends(pieces, end), pieces))
+        found |= problems.is_beyond(problem, i, end, mix_all(weights_at(pieces, 1.0 * end)[0], pieces))
     return found
+
+
+@jit_borrowing
+def _add_reach_at(
+    problem: Problem, basis: Basis, coefficients: np.ndarray, piece: int, end: int, lane: int, equations: Equations
+) -> float:
+    """Adds the reach penalty at one end of a piece to the blocks of its lane."""
+    first, x, y, z, n = basis.first[piece], 0.0, 0.0, 0.0, 0
+    for k in range(ORDER):
+        h = end_weight(basis, k, piece, end)
+        x, y = x + h * coefficients[first + k, 0], y + h * coefficients[first + k, 1]
+        z += h * coefficients[first + k, 2]
+    share, limit = problem.end_reach[end, piece], problem.max_length
+    e, slope, matrix = cost.reach_model(
+        (x, y, z), problem.end_origin[end, :, :, piece], problem.end_standing[end, :, piece],
+        (share * limit[0], share * limit[1]), problem.comfort_weight,
+    )  # fmt: skip
+    for k in range(ORDER):
+        h = end_weight(basis, k, piece, end)
+        for axis in range(3):
+            equations.slopes[k, axis, lane] += h * slope[axis]
+        for j in range(k + 1):
+            g = end_weight(basis, j, piece, end)
+            for r in range(6):
+                equations.blocks[n, r, lane] += h * g * matrix[r]
+            n += 1
+    return e
 
 
 @jit_borrowing
 def _add_reach(problem: Problem, basis: Basis, coefficients: np.ndarray, i: int, equations: Equations) -> float:
     """Adds the reach penalties at the ends of the pieces from i on that can move to their blocks."""
-    e, blocks, slopes, p = 0.0, equations.blocks, equations.slopes, basis.weights
+    e = 0.0
     for lane in range(min(LANES, len(problem.time) - 1 - i)):
-        piece = i + lane
         for end in range(2):
-            if problem.fixed[piece + end]:
-                continue
-            first, x, y, z = basis.first[piece], 0.0, 0.0, 0.0
-            for k in range(ORDER):
-                h = p[k, 0, piece] if end == 0 else p[k, 0, piece] + p[k, 1, piece] + p[k, 2, piece] + p[k, 3, piece]
-                x, y, z = (
-                    x + h * coefficients[first + k, 0],
-                    y + h * coefficients[first + k, 1],
-                    z + h * coefficients[first + k, 2],
-                )
-            size, slope, matrix = cost.reach_model(
-                (x, y, z), problem.end_origin[end, :, :, piece], problem.end_standing[end, :, piece],
-                (problem.end_reach[end, piece] * problem.max_length[0], problem.end_reach[end, piece] * problem.max_length[1]),
-                problem.comfort_weight,
-            )  # fmt: skip
-            e, n = e + size, 0
-            for k in range(ORDER):
-                h = p[k, 0, piece] if end == 0 else p[k, 0, piece] + p[k, 1, piece] + p[k, 2, piece] + p[k, 3, piece]
-                for axis in range(3):
-                    slopes[k, axis, lane] += h * slope[axis]
-                for j in range(k + 1):
-                    g = p[j, 0, piece] if end == 0 else p[j, 0, piece] + p[j, 1, piece] + p[j, 2, piece] + p[j, 3, piece]
-                    for r in range(6):
-                        blocks[n, r, lane] += h * g * matrix[r]
-                    n += 1
+            if not problem.fixed[i + lane + end]:
+                e += _add_reach_at(problem, basis, coefficients, i + lane, end, lane, equations)
     return e
 
 

@@ -187,7 +187,7 @@ def build_problem(
 @jit_borrowing
 def _flies(support: np.ndarray, i: int) -> bool:
     """Whether phase i is a flight."""
-    return 0 <= i < len(support) and support[i, 0] < 0 and support[i, 1] < 0
+    return 0 <= i < len(support) and phases.phase_of(support[i, 0], support[i, 1]) == phases.FLIGHT
 
 
 @jit
@@ -201,7 +201,7 @@ def _in_pieces(biped: Dimensions, time: np.ndarray, support: np.ndarray) -> tupl
         pieces = int(round((time[i + 1] - time[i]) / unit))
         if _flies(support, i - 1) or _flies(support, i + 1):
             counts[i] = min(max(2 * pieces, SINGLE), 2 * SINGLE)
-        elif support[i, 0] >= 0 and support[i, 1] >= 0:
+        elif phases.phase_of(support[i, 0], support[i, 1]) == phases.DOUBLE_STANCE:
             counts[i] = min(max(pieces, 1), SINGLE)
         elif not _flies(support, i):
             counts[i] = SINGLE

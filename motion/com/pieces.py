@@ -1,11 +1,11 @@
 """Pieces of a curve in Lanes: the coefficients that LANES of them depend on, and their weights at a share of the piece."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from motion.com.cost import Some, Three
-from motion.com.problem import Problem
+from motion.com.problem import Problem, mix
 from motion.track.basis import Basis
 from motion.track.curve import Weights
 from worlds.compiled.jit import jit_inline
@@ -78,10 +78,5 @@ def weights_at(pieces: Pieces, s: float) -> tuple[Weights, Weights]:
 
 
 @jit_inline
-def _mix(w: Weights, u: Any) -> Some:
-    return w[0] * u[0] + w[1] * u[1] + w[2] * u[2] + w[3] * u[3]
-
-
-@jit_inline
 def mix_all(w: Weights, pieces: Pieces) -> Three:
-    return _mix(w, pieces.x), _mix(w, pieces.y), _mix(w, pieces.z)
+    return mix(w, pieces.x), mix(w, pieces.y), mix(w, pieces.z)

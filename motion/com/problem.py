@@ -129,7 +129,7 @@ def segments_from(problem: Problem, control: np.ndarray, i: int) -> Segments:
 
 
 @jit_inline
-def _mix(weights: Weights, u: Any) -> Some:
+def mix(weights: Weights, u: Any) -> Some:
     """Sum of the four knots u by their weights."""
     return weights[0] * u[0] + weights[1] * u[1] + weights[2] * u[2] + weights[3] * u[3]
 
@@ -138,9 +138,9 @@ def _mix(weights: Weights, u: Any) -> Some:
 def state_of_sample(segments: Segments, h: Weights, bends: Weights) -> tuple[Three, Three]:
     """com and needed force w = a - g, by the knots' weights h in the com and `bends` in the acceleration, for T = 1."""
     x, y, z = segments.x, segments.y, segments.z
-    com = (_mix(h, x), _mix(h, y), _mix(h, z))
+    com = (mix(h, x), mix(h, y), mix(h, z))
     bend = segments.bend
-    return com, (bend * _mix(bends, x), bend * _mix(bends, y), bend * _mix(bends, z) + GRAVITY)
+    return com, (bend * mix(bends, x), bend * mix(bends, y), bend * mix(bends, z) + GRAVITY)
 
 
 @jit_inline

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
+from motion.arithmetic.smooth import smoothstep
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from motion.pose import legs, swing
@@ -131,7 +132,7 @@ def _leg_length(biped: Dimensions, length: float, s: float, flies: tuple[float, 
     calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
     if length < shortest:
         return length + calm * (shortest - length)
-    less = flies[0] * swing.rising(1 - 2 * s) + flies[1] * swing.rising(2 * s - 1)
+    less = flies[0] * smoothstep(1 - 2 * s) + flies[1] * smoothstep(2 * s - 1)
     near = _limited(length, (FIRM_REACH - less) * full, (1 - YIELDS * less) * full)
     return near + calm * (_limited(length, FREE_REACH * full, full) - near)
 

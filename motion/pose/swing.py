@@ -16,6 +16,7 @@ bows outward: a left foot goes by on the left, a right foot on the right, as on 
 from math import asin, cos, sin, sqrt
 from typing import NamedTuple
 
+from motion.arithmetic.smooth import smoothstep
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from motion.track import foot
@@ -60,8 +61,7 @@ class Sole(NamedTuple):
 def progress(s: float, hold: float, run: float = 0.0) -> float:
     """Share of the way at share s of the swing: none for the first and last `hold`, at rest at both ends; later at a `run`."""
     x = min(max((s - hold) / (ARRIVED - 2 * hold), 0.0), 1.0)
-    x **= LATE_WALK + run * (LATE_RUN - LATE_WALK)
-    return x * x * (3 - 2 * x)
+    return smoothstep(x ** (LATE_WALK + run * (LATE_RUN - LATE_WALK)))
 
 
 @jit_borrowing
@@ -73,15 +73,7 @@ def bump(s: float) -> float:
 @jit_borrowing
 def fade(s: float, end: float) -> float:
     """From 1 at 0 to 0 at `end`, smooth at both."""
-    x = min(s / end, 1.0)
-    return 1 - x * x * (3 - 2 * x)
-
-
-@jit_borrowing
-def rising(s: float) -> float:
-    """From 0 at 0, and before, to 1 at 1, smooth at both."""
-    x = min(max(s, 0.0), 1.0)
-    return x * x * (3 - 2 * x)
+    return 1 - smoothstep(s / end)
 
 
 @jit_borrowing
@@ -97,7 +89,7 @@ def toes_up(footprints: Footprints, before: int, after: int, s: float) -> float:
         return 0.0
     span = 1 - TOES_UP
     x, falling = (s - TOES_UP) / span, span * swing_time(footprints, before, after) * foot.strike_rate(footprints, after)
-    return footprints.strike[after] * x * x * (3 - 2 * x) + falling * x * x * (1 - x)
+    return footprints.strike[after] * smoothstep(x) + falling * x * x * (1 - x)
 
 
 @jit_inline
@@ -180,13 +172,12 @@ def sole_at(biped: Dimensions, footprints: Footprints, before: int, after: int, 
     ball = (
         start[0] + gone * (goal[0] - start[0]) + rise * ox,
         start[1] + gone * (goal[1] - start[1]) + rise * oy,
-        start[2] + gone * (goal[2] - start[2]) + footprints.lift[after] * rise,
+        start[2] + gone * (goal[2] - start[2]) + footprints.lift[after] * rise + _toss(biped, footprints, before, s),
     )
     heading = footprints.heading[before] + gone * (footprints.heading[after] - footprints.heading[before])
     normal = _normal_between(footprints, before, after, gone)
     pitch, up = heel_up(biped, footprints, before, after, s), toes_up(footprints, before, after, s)
     flex = pitch * fade(s, FLEX_FADE)
-    ball = foot.on_sole(ball, (0.0, 0.0, 1.0), normal, _toss(biped, footprints, before, s), 0.0)
     return Sole(_turned(biped, ball, heading, normal, pitch - flex, up), heading, normal, pitch - up, flex)
 
 

@@ -12,6 +12,7 @@ from math import atan2, cos, exp, sin, sqrt, tanh
 import numpy as np
 
 from motion.arithmetic.gravity import GRAVITY, pendulum_time
+from motion.arithmetic.smooth import smoothstep
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from motion.track import heading
@@ -127,7 +128,7 @@ def head_offset(biped: Dimensions, footprints: Footprints, past: np.ndarray, yaw
         share = 1 - u
     else:
         x = (u - rest) / (1 - HELD)
-        share = HELD * (x * x * (3 - 2 * x) - 0.5)
+        share = HELD * (smoothstep(x) - 0.5)
     most = 0.6 * biped.timing.hip_height
     return biped.body.head_bob * share * min(max(speed_ahead(biped, past, yaw) * step_time, -most), most)
 

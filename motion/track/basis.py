@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.track.curve import acceleration_weights
-from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 from worlds.compiled.lanes import LANES
 
 ORDER = 4
@@ -101,18 +101,25 @@ def _bend_at(time: np.ndarray, control: np.ndarray, k: int, axis: int) -> float:
     return 0.5 * total
 
 
+@jit_inline
+def end_weight(basis: Basis, k: int, piece: int, end: int) -> float:
+    """Weight of a piece's coefficient k in the position where the piece begins, or, with `end`, where it ends."""
+    w = basis.weights
+    return w[k, 0, piece] + w[k, 1, piece] + w[k, 2, piece] + w[k, 3, piece] if end else w[k, 0, piece]
+
+
 @jit_borrowing
 def control_of(basis: Basis, time: np.ndarray, coefficients: np.ndarray, control: np.ndarray) -> None:
     """Fills control (m + 1, 6) with the positions and velocities at the ends of the pieces."""
     m = len(time) - 1
     for i in range(m + 1):
-        piece, end = min(i, m - 1), i == m
+        piece, end = min(i, m - 1), int(i == m)
         duration = time[piece + 1] - time[piece]
         for axis in range(3):
             place = speed = 0.0
             for k in range(ORDER):
                 w, c = basis.weights[k, :, piece], coefficients[basis.first[piece] + k, axis]
-                place += c * (w[0] + w[1] + w[2] + w[3] if end else w[0])
+                place += c * end_weight(basis, k, piece, end)
                 speed += c * (w[1] + 2 * w[2] + 3 * w[3] if end else w[1])
             control[i, axis], control[i, 3 + axis] = place, speed / duration
 

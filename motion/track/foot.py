@@ -9,6 +9,7 @@ passed, and as smooth as the swing before and after it (motion.pose.swing).
 from math import cos, sin
 from typing import Any
 
+from motion.arithmetic.smooth import smoothstep
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import LEFT, Footprints
@@ -105,8 +106,7 @@ def strike_rate(footprints: Footprints, n: int) -> float:
 def runs(footprints: Footprints, n: int) -> float:
     """How much of a run the stance on footprint n belongs to, by its duty factor: 0 walking, 1 running."""
     duty = 0.5 * footprints.stance_time[n] / max(footprints.step_time[n], 1e-6)
-    x = min(max((WALK_DUTY - duty) / (WALK_DUTY - RUN_DUTY), 0.0), 1.0)
-    return x * x * (3 - 2 * x)
+    return smoothstep((WALK_DUTY - duty) / (WALK_DUTY - RUN_DUTY))
 
 
 @jit_borrowing

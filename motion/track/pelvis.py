@@ -8,6 +8,7 @@ from math import cos, sin, tanh
 
 import numpy as np
 
+from motion.arithmetic.smooth import smoothstep
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import LEFT, Footprints
 from worlds.compiled.jit import jit, jit_borrowing
@@ -88,7 +89,7 @@ def _between(
     """After the contact of footprint i; turns: then, how far it was ahead, and at the next contact."""
     begin, ahead, end = turns
     x = _share(footprints, i, t)
-    turn = begin + x * x * (3 - 2 * x) * (end - begin)
+    turn = begin + smoothstep(x) * (end - begin)
     if footprints.stands[i]:
         return turn, 0.0
     y = (1 - x) * (1 - x)

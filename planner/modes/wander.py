@@ -6,6 +6,7 @@ heading is taken, right or left first by chance.
 
 import numpy as np
 
+from motion.arithmetic.smooth import smoothstep
 from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
 from planner.planner import Situation
@@ -37,7 +38,7 @@ def drift(seed: int, character: int, step: int) -> float:
     block, part = step // DRIFT_STEPS, (step % DRIFT_STEPS) / DRIFT_STEPS
     a = random.uniform(seed, character, block, random.DRIFT)
     z = random.uniform(seed, character, block + 1, random.DRIFT)
-    part = part * part * (3 - 2 * part)
+    part = smoothstep(part)
     return DRIFT * (2 * (a + part * (z - a)) - 1)
 
 

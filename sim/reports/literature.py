@@ -5,6 +5,7 @@ steps; walking changes to running near Froude number 0.5 (Alexander); the com is
 pendulum, and lowest in running, a spring (Cavagna).
 """
 
+from functools import cache
 from typing import NamedTuple
 
 from motion.characters.character import load_character
@@ -98,6 +99,7 @@ def strides() -> dict[str, Cycle]:
     return {name: steady_stride(step) for name, step in (("walk", WALK), ("run", RUN))}
 
 
+@cache
 def steady_stride(step: float) -> Cycle:
     """A stride in the middle of steady steps of that length [m]."""
     show, (first, last) = Performance(straight(step)), _looked_at(step)

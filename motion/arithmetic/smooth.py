@@ -1,0 +1,10 @@
+"""The smooth way from 0 to 1 that all gradual things take."""
+
+from worlds.compiled.jit import jit_borrowing
+
+
+@jit_borrowing
+def smoothstep(x: float) -> float:
+    """3 x^2 - 2 x^3: from 0 at 0, and before, to 1 at 1, and after, at rest at both."""
+    x = min(max(x, 0.0), 1.0)
+    return x * x * (3 - 2 * x)
