@@ -7,6 +7,8 @@ import numpy as np
 from motion import motion
 from motion.characters.character import load_character
 from motion.com import newton, window
+from motion.pose import turning
+from motion.pose.bones import Bones, Placed
 from motion.pose.pose import empty_pose
 from motion.pose.posing import pose_one
 from motion.track.footprints import STEP, Footprints
@@ -39,6 +41,10 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
             (pose_one, ()),
             (posing.pose_rows, (0, 0, 0.0, one, empty_pose(1))),
             (posing.com_all, (0, 0.0, matrix)),
+        ],
+        "bones": [
+            (turning.fill_all_bones, (biped, empty_pose(1), empty(Bones, 1))),
+            (turning.lay_bones, (empty(Bones, 1), one, matrix, matrix, Placed(matrix[None], matrix[None], matrix[None]))),
         ],
         "standing": [
             (crowds.stand, (crowd, bipeds, w, 0, 0, matrix, 0.0)),

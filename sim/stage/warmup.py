@@ -19,7 +19,7 @@ from worlds.compiled.jit import start_threads
 from worlds.compiled.telling import be_quiet, compiling, tell
 
 ROOT = Path(__file__).resolve().parents[2]
-LIVE, SHOWN = ("window solve", "tick of the crowd"), ("poses", "standing", "ground")
+LIVE, SHOWN = ("window solve", "tick of the crowd"), ("poses", "bones", "standing", "ground")
 NEEDED = {
     "wander": (LIVE, ("placing footprints", "wandering", *SHOWN)),
     "river": ((*LIVE, "route search"), ("placing footprints", "crossing", *SHOWN)),

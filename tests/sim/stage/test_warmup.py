@@ -9,6 +9,7 @@ import pytest
 
 from motion import motion
 from motion.characters.character import load_character
+from motion.pose import turning
 from planner.modes.wander import Wander
 from planner.script import laying
 from planner.script.scene import load_scene
@@ -16,6 +17,7 @@ from sim.rows import crowd, posing, rounds
 from sim.stage import kernels, warmup
 from sim.stage.performance import Performance
 from sim.stage.simulation import Simulation
+from sim.view.bodies.figure import figure_of
 from worlds.compiled.parts import Part
 from worlds.level import load_level
 
@@ -28,7 +30,7 @@ def test_nothing_is_left_to_compile():
     sim = Simulation(load_level("forest"), [load_character("human")] * 3, Wander(), 1)
     for _ in range(90):
         sim.tick()
-    sim.snapshot(), sim.com()
+    figure_of(sim.characters[0], sim.snapshot()), sim.com()
     Performance(load_scene("fig01_steps_and_a_hop"))
     assert {
         rounds.advance_all,
@@ -37,6 +39,8 @@ def test_nothing_is_left_to_compile():
         motion.solve_track,
         laying.lay_steps,
         posing.pose_rows,
+        turning.fill_all_bones,
+        turning.lay_bones,
         crowd.stand,
     } <= set(every)
     assert [_compiled(kernel) for kernel in every] == compiled
@@ -47,6 +51,7 @@ def test_threads_run_before_kernels_are_loaded():
     alone = """
 import numba
 from motion.characters.character import load_character
+from motion.pose import turning
 from sim.stage.cast import Cast
 from worlds.world import World
 Cast(World("empty", (9.0, 9.0)), [load_character("bird")], 1, 60)
