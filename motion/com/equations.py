@@ -192,7 +192,7 @@ def _overreaches(problem: Problem, pieces: Pieces, i: int) -> bool:
     return found
 
 
-@jit_borrowing
+@jit_inline
 def _add_reach_at(
     problem: Problem, basis: Basis, coefficients: np.ndarray, piece: int, end: int, lane: int, equations: Equations
 ) -> float:
