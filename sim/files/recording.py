@@ -53,7 +53,7 @@ class Recorder:
             "tree": world.arrays.trees,
             "rock": world.arrays.rocks,
             "bounds": world.arrays.bounds,
-            "heights": world.heights,
+            archive.HEIGHTS: world.heights,
         }
 
     def recording(self) -> "Recording":
