@@ -1,4 +1,4 @@
-"""The smooth way from 0 to 1 that all gradual things take."""
+"""The smooth way from 0 to 1 that all gradual things take, and what lies between two numbers."""
 
 from worlds.compiled.jit import jit_borrowing
 
@@ -8,3 +8,9 @@ def smoothstep(x: float) -> float:
     """3 x^2 - 2 x^3: from 0 at 0, and before, to 1 at 1, and after, at rest at both."""
     x = min(max(x, 0.0), 1.0)
     return x * x * (3 - 2 * x)
+
+
+@jit_borrowing
+def mix(begin: float, end: float, share: float) -> float:
+    """Between two numbers: the first at share 0, the second at 1."""
+    return begin + share * (end - begin)

@@ -25,6 +25,8 @@ class Leg:
     thigh: float = metres("hip to knee")
     shank: float = metres("knee to ankle, or to the hock of a three-link leg")
     metatarsus: float = metres("hock to ankle; 0 for a leg of two links", low=0.0)
+    femur: float = degrees("thigh of a three-link leg, forward of straight down", default=0.0, high=120)
+    femur_swing: float = share("share of the leg's swing that the thigh of a three-link leg takes part in", default=1.0)
     shank_radius: float = metres("of the leg below the knee: shanks keep apart by two of them")
     comfort_weight: float = weight("k of the comfort cost")
     loading: float = share("share by which the leg gives when it takes the load", high=0.2, default=0.0)
@@ -82,6 +84,9 @@ class Gait:
 
     step_width: float = metres("between the lines of left and right footprints")
     preferred_step: float = metres("when nothing hinders")
+    variation: float = share(
+        "by how much steps of a walker's own choice differ in length, as a standard deviation", high=0.2, default=0.0
+    )
     clearance: float = metres("foot above the ground at mid-swing")
     run_lift: float = metres("how much higher the foot is lifted at a run of Froude number 1 or more", low=0.0)
     run_crouch: float = share(

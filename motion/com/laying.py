@@ -19,16 +19,18 @@ from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 
 SINGLE = 3
 """Pieces of a single stance: its force can rise, hold or dip, and fall."""
-SPRINGY = 0.3
+SPRINGY = 0.25
 """Share of comfort that counts in a stance beside a flight: there the leg is a spring, and gives as physics asks."""
+MIDDLE = 4.5
+"""The same in the middle of a walker's single stance on land, where people's legs are straightest."""
+ROCKY = 0.6
+"""The same on rocks, where legs give so that the body keeps its pace."""
 PIECE = 0.45
 """Length of a piece of a long double stance, in pendulum times."""
 JERK_WEIGHT = 1e-7
 """Of |jerk|^2 [s^3/m]: less lets forces flutter, more rounds them off."""
 STRENGTH = 3.3
 """Forces beyond so many body weights cost."""
-LANDING, LEAVING = 0.985, 0.99
-"""Shares of its reach that a leg has when it lands from a flight, as it must be able to give, and when it leaves for one."""
 FULL_REACH = 0.9985
 """Share of max_length from which on reach counts: the penalty gives a little, the leg shall not."""
 LOOK_BACK = 6
@@ -166,7 +168,7 @@ def build_problem(
     if layout.by_step:
         m = phases.merge_by_step(time, support, m)
     if layout.smooth:
-        time, support, share = _in_pieces(biped, time[: m + 1], support[:m])
+        time, support, share = _in_pieces(biped, footprints, time[: m + 1], support[:m])
         m = len(support)
     leg = biped.leg
     problem = problems.empty_problem(
@@ -177,8 +179,11 @@ def build_problem(
         problem.comfort_share[:m] = share
         for i in range(1, m):
             if not _flies(support, i):
-                problem.end_reach[0, i] = LANDING if _flies(support, i - 1) else 1.0
-                problem.end_reach[1, i] = LEAVING if _flies(support, i + 1) else 1.0
+                n = max(support[i, 0], support[i, 1])
+                if _flies(support, i - 1) and n > 0:
+                    problem.end_reach[0, i] = foot.landing_reach(biped, footprints, n)
+                if _flies(support, i + 1) and n + 1 < len(footprints.side):
+                    problem.end_reach[1, i] = foot.leaving_reach(biped, footprints, n + 1)
     problem.time[:] = time[: m + 1]
     lay_samples(biped, footprints, problem, support, layout.by_step)
     return problem, support[:m]
@@ -190,8 +195,17 @@ def _flies(support: np.ndarray, i: int) -> bool:
     return 0 <= i < len(support) and phases.phase_of(support[i, 0], support[i, 1]) == phases.FLIGHT
 
 
+@jit_borrowing
+def _on_rock(footprints: Footprints, support: np.ndarray, i: int) -> bool:
+    """Whether a foot stands on a rock in phase i."""
+    left, right = support[i, 0], support[i, 1]
+    return (left >= 0 and footprints.rock[left] >= 0) or (right >= 0 and footprints.rock[right] >= 0)
+
+
 @jit
-def _in_pieces(biped: Dimensions, time: np.ndarray, support: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _in_pieces(
+    biped: Dimensions, footprints: Footprints, time: np.ndarray, support: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Phases in equal pieces: a single stance in SINGLE, as its force rises and falls; others by their time, a flight in one.
 
     Returns the times, supports and shares of comfort of the pieces. Beside a flight there are more, and comfort counts less.
@@ -212,7 +226,12 @@ def _in_pieces(biped: Dimensions, time: np.ndarray, support: np.ndarray) -> tupl
         for k in range(counts[i]):
             out[n] = time[i] + k * (time[i + 1] - time[i]) / counts[i]
             stand[n, 0], stand[n, 1] = support[i, 0], support[i, 1]
-            share[n] = SPRINGY if _flies(support, i - 1) or _flies(support, i + 1) else 1.0
+            if _flies(support, i - 1) or _flies(support, i + 1):
+                share[n] = SPRINGY
+            elif _on_rock(footprints, support, i):
+                share[n] = ROCKY
+            elif counts[i] == SINGLE and k == 1 and min(support[i, 0], support[i, 1]) < 0:
+                share[n] = MIDDLE
             n += 1
     out[n] = time[-1]
     return out, stand, share

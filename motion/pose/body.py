@@ -5,7 +5,7 @@ import numpy as np
 from motion.arithmetic import rotations
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
-from motion.pose import limbs, trunk
+from motion.pose import head, limbs, trunk
 from motion.pose.feet import Hips
 from motion.pose.pose import Pose
 from motion.track.curve import Track
@@ -30,10 +30,12 @@ def _turn(array: np.ndarray, c: int, rotation: rotations.Quaternion) -> None:
 
 
 @jit_borrowing
-def _pose_arms(biped: Dimensions, chest: rotations.Axes, angles: tuple[float, float], pace: float, pose: Pose, c: int) -> None:
-    """Arms against the legs, whose angles they are given."""
+def _pose_arms(
+    biped: Dimensions, chest: rotations.Axes, angles: tuple[float, float], gait: tuple[float, float], pose: Pose, c: int
+) -> None:
+    """Arms against the legs, whose angles they are given; gait: pace, and how much they balance."""
     for side in range(2):
-        joints = limbs.arm(biped, chest, 1 - 2 * side, angles[1 - side], pace)
+        joints = limbs.arm(biped, chest, 1 - 2 * side, angles[1 - side], gait[0], gait[1])
         for axis in range(3):
             pose.shoulder[c, side, axis] = pose.com[c, axis] + joints[0][axis]
             pose.elbow[c, side, axis] = pose.com[c, axis] + joints[1][axis]
@@ -41,16 +43,19 @@ def _pose_arms(biped: Dimensions, chest: rotations.Axes, angles: tuple[float, fl
 
 
 @jit_borrowing
-def _pose_head(biped: Dimensions, headings: Triple, pitch: float, roll: float, bob: float, pose: Pose, c: int) -> None:
-    """Neck and head, for the headings of body, chest and look; bob: how far the head is ahead of its middle place [m]."""
-    body, loose, (yaw, chest, look) = biped.body, 1 - biped.body.head_steady, headings
-    _turn(pose.head_rotation_wxyz, c, rotations.quaternion(look, loose * pitch, loose * roll))
+def _pose_head(biped: Dimensions, headings: Triple, angles: Triple, thrust: Triple, pose: Pose, c: int) -> None:
+    """Neck and head, for the headings of body, chest and look, and the body's pitch, its roll and how far the look is down.
+
+    thrust: how far the head is from its middle place [m].
+    """
+    body, loose, (yaw, chest, look), (pitch, roll, down) = biped.body, 1 - biped.body.head_steady, headings, angles
+    _turn(pose.head_rotation_wxyz, c, rotations.quaternion(look, loose * pitch + down, loose * roll))
     neck = rotations.turned(chest, pitch, roll, body.neck_forward, 0.0, body.neck_up)
-    forward, up = body.head_forward - body.neck_forward + bob, body.head_up - body.neck_up
-    above = rotations.turned(0.5 * (yaw + look), loose * pitch, loose * roll, forward, 0.0, up)
+    forward, up = body.head_forward - body.neck_forward, body.head_up - body.neck_up
+    above = rotations.turned(0.5 * (yaw + look), loose * pitch + 0.5 * down, loose * roll, forward, 0.0, up)
     for axis in range(3):
         pose.neck[c, axis] = pose.com[c, axis] + neck[axis]
-        pose.head[c, axis] = pose.neck[c, axis] + above[axis]
+        pose.head[c, axis] = pose.neck[c, axis] + above[axis] + thrust[axis]
 
 
 @jit_inline
@@ -67,8 +72,9 @@ def pose_body(biped: Dimensions, track: Track, hips: Hips, t: float, pose: Pose,
     _turn(pose.body_rotation_wxyz, c, rotations.quaternion(yaw, pitch, roll))
     _turn(pose.pelvis_rotation_wxyz, c, rotations.quaternion(yaw + hips.turn, 0.4 * pitch, hips.roll))
     _turn(pose.chest_rotation_wxyz, c, rotations.quaternion(chest, pitch, roll))
-    look = trunk.gaze(biped, track.footprints, yaw, t) + aside
-    bob = trunk.head_offset(biped, track.footprints, past, yaw, t)
-    _pose_head(biped, (yaw, chest, look), pitch, roll, bob, pose, c)
-    _pose_arms(biped, rotations.axes(chest, pitch, roll), angles, trunk.pace(biped, past, yaw), pose, c)
+    pace = trunk.pace(biped, past, yaw)
+    look = head.looks(biped, track.footprints, yaw, pace, t)
+    thrust = head.thrust(biped, track, pose.com[c], t)
+    _pose_head(biped, (yaw, chest, look.heading + aside), (pitch, roll, look.down), thrust, pose, c)
+    _pose_arms(biped, rotations.axes(chest, pitch, roll), angles, (pace, head.on_rocks(track.footprints, t)), pose, c)
     limbs.lay_tail(biped, track.footprints, past, pose.com[c], (yaw, pitch, roll), t, pose.tail[c])

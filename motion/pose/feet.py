@@ -14,10 +14,11 @@ from motion.track import foot
 from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit_borrowing, jit_inline
 
-FREE_REACH, FIRM_REACH, LANDING_REACH, LEAVING_REACH = 0.93, 0.9985, 0.984, 0.989
-"""Shares of its full length up to which a swinging leg goes freely: in mid-swing, near the ends, and where a runner lands
-and leaves."""
-YIELDS = 0.7
+FREE_REACH, FIRM_REACH = 0.93, 0.9985
+"""Shares of its full length up to which a swinging leg goes freely: in mid-swing, and near the ends."""
+WITHIN = 0.001
+"""How much less than foot.landing_reach and leaving_reach a leg has in its swing."""
+YIELDS = 0.45
 """How much less than its full length a runner's leg is let come to, in what it may reach less: straight knees pop."""
 FREE_ENDS = 0.25
 """Share of the swing, at either end, over which the first gives way to the second: as far as a standing leg may reach."""
@@ -59,7 +60,7 @@ def _set(array: np.ndarray, c: int, leg: int, point: Triple) -> None:
 def _stand(biped: Dimensions, footprints: Footprints, n: int, t: float, pose: Pose, c: int, leg: int) -> float:
     """The foot on footprint n at time t, also where its next one is not known yet; returns its heading."""
     u = foot.stance_share(footprints, n, t)
-    up, half = foot.strike_pitch(footprints, n, u), 0.5 * biped.foot.length
+    up, half = max(foot.strike_pitch(footprints, n, u), 0.0), 0.5 * biped.foot.length
     x, z = foot.about_heel(biped, biped.foot.ball_forward, 0.0, up)
     _set(pose.ball, c, leg, foot.along_sole(footprints, n, x, z))
     x, z = foot.about_heel(biped, half, 0.0, up)
@@ -117,12 +118,15 @@ def _limited(length: float, free: float, full: float) -> float:
 
 
 @jit_borrowing
-def _flights(footprints: Footprints, last: int, following: int) -> tuple[float, float]:
+def _flights(biped: Dimensions, footprints: Footprints, last: int, following: int) -> tuple[float, float]:
     """What a leg may reach less, as a share, where it leaves for a flight, and where it lands from one; 0 without a flight."""
     contact, stance = footprints.contact_time, footprints.stance_time
     leaves = contact[last] + stance[last] < contact[last + 1]
     lands = contact[following - 1] + stance[following - 1] < contact[following]
-    return (FIRM_REACH - LEAVING_REACH if leaves else 0.0), (FIRM_REACH - LANDING_REACH if lands else 0.0)
+    less, full = (0.0, 0.0), FIRM_REACH + WITHIN
+    if leaves:
+        less = (full - foot.leaving_reach(biped, footprints, last + 1), 0.0)
+    return less[0], (full - foot.landing_reach(biped, footprints, following) if lands else 0.0)
 
 
 @jit_borrowing
@@ -157,7 +161,7 @@ def _swing(biped: Dimensions, footprints: Footprints, leg: int, yaw: float, t: f
     s, toes = _fly(biped, footprints, last, following, t, pose, c, leg)
     hip = (pose.hip[c, leg, 0], pose.hip[c, leg, 1], pose.hip[c, leg, 2])
     _carry(biped, hip, yaw, swing.swing_time(footprints, last, following), s, pose, c, leg)
-    _keep_in_reach(biped, hip, s, _flights(footprints, last, following), pose, c, leg)
+    _keep_in_reach(biped, hip, s, _flights(biped, footprints, last, following), pose, c, leg)
     return toes
 
 

@@ -1,25 +1,29 @@
 """Leg inverse kinematics on the virtual leg (paper, section 2.6).
 
 Two links a, b between hip and ankle at distance d bend in a plane: the knee lies a cos(alpha) along the virtual leg and
-a sin(alpha) off it, toward `pole`, with cos(alpha) = (a^2 + d^2 - b^2) / (2 a d). A leg of three links keeps its thigh
-parallel to its metatarsus, as birds nearly do, which makes it a leg of two links: thigh + metatarsus, and shank. A foot
-always stays on its footprint: a leg that is too short for it stretches, and `measure` counts that as overreach.
+a sin(alpha) off it, forward, with cos(alpha) = (a^2 + d^2 - b^2) / (2 a d). A leg of three links carries its thigh forward
+(Gatesy 1999: birds walk from the knee), and what is below the knee bends backward as two links. A foot always stays on its
+footprint: a leg that is too short for it stretches, and `measure` counts that as overreach.
 """
 
-from math import exp, sqrt
+from math import acos, atan2, cos, exp, log, sin, sqrt
 
-from motion.arithmetic.triples import Triple
+from motion.arithmetic.triples import Triple, cross, minus, times, unit
 from motion.characters.dimensions import Dimensions
-from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.jit import jit_borrowing, jit_inline
 
-SOFT_FROM = 0.99
+SOFT_FROM = 0.992
 """Share of full extension from which on the knee resists: without this its angle changes ever faster and pops."""
+STRAIGHT, FOLDED = 0.985, 0.3
+"""Shares of shank and metatarsus that the knee of a leg of three links may be from its ankle, at most and at least."""
+GRADUAL = 0.1
+"""How gradually a thigh gives way to a leg that gets long [rad]."""
 
 
 @jit_borrowing
 def soft_stretch(share: float) -> float:
     """Stretch of the links at d = share of their length: with r = 1 - SOFT_FROM they bend as for SOFT_FROM + r (1 - exp(-x)),
-    x = (share - SOFT_FROM) / r, which is never 1; at full extension they are 0.4 % longer."""
+    x = (share - SOFT_FROM) / r, which is never 1; at full extension they are 0.3 % longer."""
     if share <= SOFT_FROM:
         return 1.0
     room = 1 - SOFT_FROM
@@ -27,35 +31,72 @@ def soft_stretch(share: float) -> float:
 
 
 @jit_borrowing
-def _bend(upper: float, lower: float, hip: Triple, ankle: Triple, pole: Triple) -> tuple[Triple, Triple, float]:
-    """Unit vectors of the first and second link, and the stretch that they need. pole need not be a unit vector."""
-    x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
-    d = max(sqrt(x * x + y * y + z * z), 1e-9)
-    u = (x / d, y / d, z / d)
-    along = pole[0] * u[0] + pole[1] * u[1] + pole[2] * u[2]
-    px, py, pz = pole[0] - along * u[0], pole[1] - along * u[1], pole[2] - along * u[2]
-    length = max(sqrt(px * px + py * py + pz * pz), 1e-9)
+def _bend(upper: float, lower: float, hip: Triple, ankle: Triple, forward: Triple) -> tuple[Triple, float]:
+    """Unit vector of the first link, which bends `forward`, and the stretch that both need."""
+    d, u = _way(hip, ankle)
+    p = _pole(u, forward)
     stretch = soft_stretch(d / (upper + lower))
     a, b = upper * stretch, lower * stretch
     cosine = min(max((a * a + d * d - b * b) / (2 * a * d), -1.0), 1.0)
     sine = sqrt(1 - cosine * cosine)
-    first = (
-        cosine * u[0] + sine * px / length,
-        cosine * u[1] + sine * py / length,
-        cosine * u[2] + sine * pz / length,
-    )
-    second = ((x - a * first[0]) / b, (y - a * first[1]) / b, (z - a * first[2]) / b)
-    return first, second, stretch
+    return _between(u, p, cosine, sine), stretch
+
+
+@jit_inline
+def _way(start: Triple, end: Triple) -> tuple[float, Triple]:
+    """Length and unit vector of the way between two points."""
+    x, y, z = minus(end, start)
+    d = max(sqrt(x * x + y * y + z * z), 1e-9)
+    return d, (x / d, y / d, z / d)
+
+
+@jit_inline
+def _pole(u: Triple, forward: Triple) -> Triple:
+    """Unit vector across a virtual leg u, in which knees bend: u x left, so forward of a leg that hangs, and below one that is
+    kicked up behind, without a jump between."""
+    return unit(cross(u, (-forward[1], forward[0], 0.0)))
+
+
+@jit_inline
+def _between(u: Triple, p: Triple, cosine: float, sine: float) -> Triple:
+    return cosine * u[0] + sine * p[0], cosine * u[1] + sine * p[1], cosine * u[2] + sine * p[2]
 
 
 @jit_borrowing
-def joints(biped: Dimensions, hip: Triple, ankle: Triple, pole: Triple) -> tuple[Triple, Triple]:
-    """(knee, hock) of the leg from hip to ankle, the knee toward `pole`; a two-link leg's hock is its ankle."""
+def joints(biped: Dimensions, hip: Triple, ankle: Triple, forward: Triple) -> tuple[Triple, Triple]:
+    """(knee, hock) of the leg from hip to ankle whose knee bends `forward`, level; a two-link leg's hock is its ankle."""
     leg = biped.leg
-    first, second, stretch = _bend(leg.thigh + leg.metatarsus, leg.shank, hip, ankle, pole)
-    thigh, shank = leg.thigh * stretch, leg.shank * stretch
-    knee = (hip[0] + thigh * first[0], hip[1] + thigh * first[1], hip[2] + thigh * first[2])
-    if leg.metatarsus == 0:
-        return knee, ankle
-    hock = (knee[0] + shank * second[0], knee[1] + shank * second[1], knee[2] + shank * second[2])
-    return knee, hock
+    if leg.metatarsus > 0:
+        knee = _knee_of_three(biped, hip, ankle, forward)
+        lower, stretch = _bend(leg.shank, leg.metatarsus, knee, ankle, times(-1.0, forward))
+        return knee, _along(knee, leg.shank * stretch, lower)
+    first, stretch = _bend(leg.thigh, leg.shank, hip, ankle, forward)
+    return _along(hip, leg.thigh * stretch, first), ankle
+
+
+@jit_inline
+def _along(start: Triple, length: float, way: Triple) -> Triple:
+    return start[0] + length * way[0], start[1] + length * way[1], start[2] + length * way[2]
+
+
+@jit_borrowing
+def _knee_of_three(biped: Dimensions, hip: Triple, ankle: Triple, forward: Triple) -> Triple:
+    """Knee of a leg of three links, whose thigh is carried forward and hardly swings.
+
+    With psi the angle in the leg's plane from the virtual leg to straight down, the thigh is femur - femur_swing * psi before
+    straight down, so femur + (1 - femur_swing) psi before the virtual leg; less where shank and metatarsus would not reach:
+    cos = (a^2 + d^2 - r^2) / (2 a d) with a the thigh, d the virtual leg, r what they reach.
+    """
+    leg, (d, u) = biped.leg, _way(hip, ankle)
+    p = _pole(u, forward)
+    wished = leg.femur + (1 - leg.femur_swing) * atan2(-p[2], -u[2])
+    most = _thigh_angle(leg.thigh, d, STRAIGHT * (leg.shank + leg.metatarsus))
+    least = _thigh_angle(leg.thigh, d, FOLDED * (leg.shank + leg.metatarsus))
+    angle = max(most - GRADUAL * log(1 + exp(min((most - wished) / GRADUAL, 50.0))), least)
+    return _along(hip, leg.thigh, _between(u, p, cos(angle), sin(angle)))
+
+
+@jit_borrowing
+def _thigh_angle(thigh: float, d: float, rest: float) -> float:
+    """Angle [rad] between a thigh and the virtual leg of length d whose knee is `rest` from the ankle."""
+    return acos(min(max((thigh * thigh + d * d - rest * rest) / (2 * thigh * d), -1.0), 1.0))

@@ -21,6 +21,8 @@ OUTWARD, ELBOWS_OUT = 0.12, 0.25
 """Arms hang this far outward, a runner's further [rad]."""
 BENDS, BENDS_WITHIN = 0.55, 0.15
 """Bend of the elbow per swing forward; how gradually it begins [rad]."""
+BALANCES, LESS_SWING = 0.55, 0.5
+"""How far arms are held out on rocks [rad], and the share by which they swing less."""
 RUNNERS_INWARD = 0.12
 """How far a runner's hands point inward, in forearms: clear of the hips."""
 WHIP, FLAP = 0.22, 0.16
@@ -28,31 +30,33 @@ WHIP, FLAP = 0.22, 0.16
 
 
 @jit_borrowing
-def arm(biped: Dimensions, chest: Axes, side: int, leg_angle: float, pace: float) -> tuple[Triple, Triple, Triple]:
+def arm(
+    biped: Dimensions, chest: Axes, side: int, leg_angle: float, pace: float, balance: float
+) -> tuple[Triple, Triple, Triple]:
     """(shoulder, elbow, hand), from the com, of the arm on `side` (1 left, -1 right).
 
-    leg_angle [rad] of the other side's leg, forward of the hip; pace as trunk.pace; chest: its axes.
+    leg_angle [rad] of the other side's leg, forward of the hip; pace as trunk.pace; balance: 1 on rocks, where
+    arms are held out; chest: its axes.
     """
     body = biped.body
     shoulder = (body.shoulder_forward, side * body.shoulder_side, body.shoulder_up)
     if body.upper_arm + body.forearm == 0:
         there = along(chest, shoulder[0], shoulder[1], shoulder[2])
         return there, there, there
-    swing = body.arm_swing * leg_angle
+    swing = body.arm_swing * leg_angle * (1 - LESS_SWING * balance)
     running = 0.5 + 0.5 * tanh(4 * (pace - 0.7))
     forward = BENDS_WITHIN * log(1 + exp(swing / BENDS_WITHIN))  # as max(swing, 0), but smooth
     bend = body.elbow_bend + running * RUNNERS_BEND + BENDS * forward
-    out = side * sin(OUTWARD + running * ELBOWS_OUT)
+    out, inward = OUTWARD + running * ELBOWS_OUT + BALANCES * balance, BALANCES * balance - RUNNERS_INWARD * running
     elbow = (
-        shoulder[0] + body.upper_arm * sin(swing),
-        shoulder[1] + body.upper_arm * out,
-        shoulder[2] - body.upper_arm * cos(OUTWARD) * cos(swing),
+        shoulder[0] + body.upper_arm * sin(swing) * cos(out),
+        shoulder[1] + body.upper_arm * side * sin(out),
+        shoulder[2] - body.upper_arm * cos(out) * cos(swing),
     )
-    inward = -side * RUNNERS_INWARD * running
     hand = (
-        elbow[0] + body.forearm * sin(swing + bend),
-        elbow[1] + body.forearm * inward,
-        elbow[2] - body.forearm * cos(swing + bend),
+        elbow[0] + body.forearm * sin(swing + bend) * cos(inward),
+        elbow[1] + body.forearm * side * sin(inward),
+        elbow[2] - body.forearm * cos(swing + bend) * cos(inward),
     )
     return (
         along(chest, shoulder[0], shoulder[1], shoulder[2]),

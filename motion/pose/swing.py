@@ -6,7 +6,8 @@ the stance before and after it (motion.track.foot). Turns are laid over one way:
     way     the flat foot's, along the line between the footprints by 3 x^2 - 2 x^3, raised by lift * bump(s)
     pitch   of the foot, heel up: from the angle and with the rate at which it left, to none at PITCH_WALK
     toes    straighten within FLEX_FADE; until then the foot turns about their tip, so that they clear the ground
-    strike  toes up about the heel, from TOES_UP on, to the angle and rate with which the sole comes down after the contact
+    strike  toes up about the heel, or heel up about the ball, from TOES_UP on, to the angle and rate with which the sole comes
+            down after the contact
 
 At a run the way is later (x a power of s), and the pitch higher (KICK) and longer: the shank folds. Over edges (`hold`) the
 foot rises before it goes forward and comes down after it has arrived. Where the line would come too near to the other foot it
@@ -84,7 +85,8 @@ def swing_time(footprints: Footprints, before: int, after: int) -> float:
 
 @jit_inline
 def toes_up(footprints: Footprints, before: int, after: int, s: float) -> float:
-    """Pitch, toes up about the heel [rad], at share s of a swing: a cubic from rest to the landing's angle and rate."""
+    """Pitch, toes up about the heel [rad], or below 0 heel up about the ball, at share s of a swing: a cubic from rest to the
+    landing's angle and rate."""
     if footprints.strike[after] == 0.0 or s <= TOES_UP:
         return 0.0
     span = 1 - TOES_UP
@@ -178,7 +180,8 @@ def sole_at(biped: Dimensions, footprints: Footprints, before: int, after: int, 
     normal = _normal_between(footprints, before, after, gone)
     pitch, up = heel_up(biped, footprints, before, after, s), toes_up(footprints, before, after, s)
     flex = pitch * fade(s, FLEX_FADE)
-    return Sole(_turned(biped, ball, heading, normal, pitch - flex, up), heading, normal, pitch - up, flex)
+    ball = _turned(biped, ball, heading, normal, pitch - flex, max(up, 0.0))
+    return Sole(ball, heading, normal, pitch - up, flex + max(-up, 0.0))
 
 
 @jit_inline

@@ -1,10 +1,9 @@
-"""The body above the legs (paper, section 2.5): trunk, pelvis, neck and head, as functions of time.
+"""The body above the legs (paper, section 2.5): trunk and pelvis, as functions of time.
 
 Everything reads the committed curve and the footprints. The body follows `trend`, the second difference of the com over a DELAY
 (the acceleration under a triangle of that width): it lags as flesh does. The trunk leans over the leg that carries it (Winter
 1995), into turns with the lateral trend, forward with speed, and nods with the vertical one. The pelvis turns with the legs and
-drops toward the swinging one (motion.track.pelvis); the chest turns against it; the head looks where the feet will go and takes
-part in the trunk's pitch and roll as little as it likes.
+drops toward the swinging one (motion.track.pelvis); the chest turns against it. The head: motion.pose.head.
 """
 
 from math import atan2, cos, exp, sin, sqrt, tanh
@@ -12,12 +11,9 @@ from math import atan2, cos, exp, sin, sqrt, tanh
 import numpy as np
 
 from motion.arithmetic.gravity import GRAVITY, pendulum_time
-from motion.arithmetic.smooth import smoothstep
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
-from motion.track import heading
 from motion.track.curve import Curve, position_at
-from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit_borrowing
 
 DELAY = 0.3
@@ -26,16 +22,12 @@ PAST = 9
 """Moments of the past that are looked at: enough for a tail of TAIL pieces, each a DELAY later."""
 RECENT = 3
 """Those that the trunk follows."""
-LOOKS_ASIDE = 1.0
-"""Largest turn of the head against the body [rad]."""
 STANDS_BELOW = 0.06
 """Speed [m/s] below which one stands, about."""
 BREATH, BREATHS = 0.012, 0.5
 """How far the chest pitches as one breathes [rad], and how fast, per pendulum time [rad]: a person some 15 times a minute."""
 LOOKS_AROUND, LOOKS = 0.9, 0.21
 """How far one looks aside who stands [rad], and how fast, per pendulum time [rad]."""
-HELD = 0.62
-"""Share of a step in which a bobbing head stays in place."""
 
 
 @jit_borrowing
@@ -111,30 +103,3 @@ def idle_life(biped: Dimensions, past: np.ndarray, t: float) -> tuple[float, flo
     u, own = t / unit, 7.0 * past[0, 0] + 5.0 * past[0, 1]
     slow = 0.6 * sin(LOOKS * u + own) + 0.4 * sin(1.83 * LOOKS * u + 2.1 * own)
     return still * BREATH * sin(BREATHS * u + own), still * LOOKS_AROUND * slow * slow * slow
-
-
-@jit_borrowing
-def head_offset(biped: Dimensions, footprints: Footprints, past: np.ndarray, yaw: float, t: float) -> float:
-    """How far a bobbing head is ahead of its middle place [m]: it stays where it is while the body walks on, then darts."""
-    if biped.body.head_bob == 0:
-        return 0.0
-    i = max(int(np.searchsorted(footprints.contact_time, t, side="right")) - 1, 0)
-    step_time = footprints.step_time[i]
-    u = min(max((t - footprints.contact_time[i]) / max(step_time, 1e-3), 0.0), 1.0)
-    rest = 0.5 * HELD
-    if u < rest:
-        share = -u
-    elif u > 1 - rest:
-        share = 1 - u
-    else:
-        x = (u - rest) / (1 - HELD)
-        share = HELD * (smoothstep(x) - 0.5)
-    most = 0.6 * biped.timing.hip_height
-    return biped.body.head_bob * share * min(max(speed_ahead(biped, past, yaw) * step_time, -most), most)
-
-
-@jit_borrowing
-def gaze(biped: Dimensions, footprints: Footprints, yaw: float, t: float) -> float:
-    """Heading of the head [rad]: where the feet are going, before the body does."""
-    ahead = heading.mean_heading(footprints, t, 0.4 * heading.window_length(biped))
-    return yaw + LOOKS_ASIDE * tanh((ahead - yaw) / LOOKS_ASIDE)

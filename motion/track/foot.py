@@ -1,14 +1,16 @@
 """The standing foot: where it presses, how it rolls, where its ankle is, how long its leg likes to be (paper, section 2.4).
 
 The point of support moves linearly from heel to toe over the stance. A foot that lands on its heel turns about it until the
-sole is down (FLAT_BY). In the last `heel_off_fraction` of the stance it pitches about the ball: the toe segment stays flat, so
-the toe does not move, while heel and ankle rise and go forward. All of it is a function of u, the share of the stance that has
-passed, and as smooth as the swing before and after it (motion.pose.swing).
+sole is down (FLAT_BY); one that lands on its ball, downstairs or backward, comes down about that. In the last
+`heel_off_fraction` of the stance it pitches about the ball: the toe segment stays flat, so the toe does not move, while heel
+and ankle rise and go forward. All of it is a function of u, the share of the stance that has passed, and as smooth as the swing
+before and after it (motion.pose.swing).
 """
 
 from math import cos, sin
 from typing import Any
 
+from motion.arithmetic.gravity import pendulum_time
 from motion.arithmetic.smooth import smoothstep
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
@@ -23,6 +25,9 @@ FLAT_BY = 0.22
 """Share of the stance by which a foot that has landed on its heel lies flat."""
 LOADING_ENDS, PUSH_BEGINS = 0.6, 0.75
 """Shares of the stance: until when a leg gives to the load, and from when on it bends to leave."""
+LANDING, LEAVING, SOFTER, LEAST_REACH = 0.985, 0.99, 0.06, 0.94
+"""Shares of its reach that a leg has when it lands from a flight, as it must be able to give, and when it leaves for one; how
+much less by the speed of the fall, in sqrt(g l); and the least."""
 
 
 @jit_borrowing
@@ -88,7 +93,8 @@ def point_of_support(biped: Dimensions, footprints: Footprints, n: int, u: float
 def strike_pitch(footprints: Footprints, n: int, u: float) -> float:
     """How far the toes are up [rad] at share u of the stance on footprint n: the sole comes down about the heel.
 
-    From `strike` at the contact, where it falls already, to none at FLAT_BY: (1 - x)^2 (1 + x).
+    Below zero the heel is up, and comes down about the ball. From `strike` at the contact, where it falls already, to none at
+    FLAT_BY: (1 - x)^2 (1 + x).
     """
     if u >= FLAT_BY:
         return 0.0
@@ -162,8 +168,10 @@ def _about(pivot: float, forward: float, up: float, pitch: float) -> tuple[float
 def rolled(biped: Dimensions, footprints: Footprints, n: int, u: float, forward: float, up: float) -> tuple[float, float]:
     """Coordinates (forward of the middle, up) of a point behind the ball, at share u of the stance on footprint n."""
     toes_up = strike_pitch(footprints, n, u)
-    if toes_up != 0.0:
+    if toes_up > 0.0:
         return about_heel(biped, forward, up, toes_up)
+    if toes_up < 0.0:
+        return about_ball(biped, forward, up, -toes_up)
     return about_ball(biped, forward, up, heel_off_angle(biped, footprints, n, u))
 
 
@@ -191,3 +199,22 @@ def nominal_at(biped: Dimensions, footprints: Footprints, n: int, u: float) -> f
     give = biped.leg.loading * 6.75 * v * (1 - v) * (1 - v) if v < 1 and not footprints.stands[n] else 0.0
     push = biped.leg.push_off * max(2 * footprints.roll[n, 1] - 1, 0.0) * w * w if w > 0 else 0.0
     return footprints.nominal_length[n] * (1 - give - push)
+
+
+@jit_borrowing
+def landing_reach(biped: Dimensions, footprints: Footprints, n: int) -> float:
+    """Share of its reach that a leg may have when it lands on footprint n from a flight: less, the higher that was."""
+    return max(LANDING - SOFTER * _fall(biped, footprints, n), LEAST_REACH)
+
+
+@jit_borrowing
+def leaving_reach(biped: Dimensions, footprints: Footprints, n: int) -> float:
+    """The same when it leaves for the flight to footprint n."""
+    return max(LEAVING - SOFTER * _fall(biped, footprints, n), LEAST_REACH)
+
+
+@jit_borrowing
+def _fall(biped: Dimensions, footprints: Footprints, n: int) -> float:
+    """How fast one lands on footprint n from the flight before it, on the level: g t / 2 over sqrt(g l)."""
+    flight = footprints.contact_time[n] - footprints.contact_time[n - 1] - footprints.stance_time[n - 1]
+    return 0.5 * max(flight, 0.0) / pendulum_time(biped.leg.nominal_length)

@@ -57,7 +57,7 @@ class Footprints(NamedTuple):
     facing: Numbers  # (n,) how far the body turns away from the feet over it [rad]
     lift: Numbers  # (n,) height of the swing that arrives here above the line between its ends [m]
     hold: Numbers  # (n,) share of that swing, at either end, in which the foot goes only up or down
-    strike: Numbers  # (n,) how far the toes are up when it lands on its heel [rad]
+    strike: Numbers  # (n,) how far the toes are up when it lands on its heel; the heel, below 0 [rad]
 
 
 class Foot(NamedTuple):
@@ -153,3 +153,11 @@ def step_length(footprints: Footprints, n: int) -> float:
 def rise(footprints: Footprints, n: int) -> float:
     """How much higher footprint n lies than the one before [m]."""
     return footprints.position[n, 2] - footprints.position[n - 1, 2]
+
+
+@jit_borrowing
+def out_of_plane(footprints: Footprints, n: int) -> float:
+    """How much higher footprint n lies than the plane through it along its sole passes the one before [m]: a tread's height,
+    and nothing on a slope, however steep."""
+    p, q, normal = footprints.position[n - 1], footprints.position[n], footprints.normal[n]
+    return (q[0] - p[0]) * normal[0] + (q[1] - p[1]) * normal[1] + (q[2] - p[2]) * normal[2]

@@ -14,7 +14,7 @@ from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing
 from planner.stepping import random
 from planner.stepping.beside import Place, middle_beside
 from planner.stepping.footing import surely
-from planner.stepping.steering import LOOK_STEPS, Onward, free_way, step_toward
+from planner.stepping.steering import LOOK_STEPS, Onward, free_way, lengthened, step_toward
 from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
@@ -87,17 +87,17 @@ def _is_past(round: Round, me: Me, reached: int, middle: Place, abeam: float) ->
 
 @jit_borrowing
 def walk_on(
-    biped: Dimensions, world: WorldArrays, middle: Place, heading: float, stop: np.ndarray, seed: int, character: int
+    biped: Dimensions, world: WorldArrays, middle: Place, heading: float, stop: np.ndarray, seed: int, who: tuple[int, int]
 ) -> Onward:
-    """A step of the walker whose middle is there on its way to stop (2,), not beyond it."""
-    x, y = middle
+    """A step of the walker whose middle is there on its way to stop (2,), not beyond it; who: character and step."""
+    (x, y), (character, step) = middle, who
     dx, dy = stop[0] - x, stop[1] - y
     far = hypot(dx, dy)
     right_first = random.uniform(seed, character, 0, random.SIDE) < 0.5
     look = min(biped.gait.preferred_step * LOOK_STEPS, far)
     on = step_toward(biped, world, middle, heading, unwrapped(atan2(dy, dx), heading), look, right_first)
-    share = min(far / max(hypot(on.x - x, on.y - y), 1e-9), 1.0)
-    return Onward(x + share * (on.x - x), y + share * (on.y - y), on.heading, on.course)
+    share = random.near_one(seed, character, step, biped.gait.variation)
+    return lengthened(on, middle, min(far / max(hypot(on.x - x, on.y - y), 1e-9), share))
 
 
 @jit_borrowing
@@ -122,7 +122,7 @@ def _next_step(round: Round, me: Me) -> Wish:
     if there and is_last_stop(plans, me.c, reached):
         return _arrive(round, me, middle)
     stop = plans.stops[me.c, stop_of(plans, me.c, reached + there)]
-    on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, me.c)
+    on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, (me.c, me.number))
     return surely(round, me, (on.x, on.y), on.heading, on.course, True)
 
 

@@ -1,7 +1,7 @@
 """Wandering (paper, section 4): keep a heading; when the way ahead comes too close to something, change it by chance.
 
 The heading drifts slowly. Where the way ahead is not clear for the distance that the walker looks ahead, the nearest clear
-heading is taken, right or left first by chance.
+heading is taken, right or left first by chance. No two steps are quite as long (`variation`).
 """
 
 import numpy as np
@@ -15,7 +15,7 @@ from planner.round.round import Me, Round, Wish, biped_of
 from planner.stepping import random
 from planner.stepping.beside import middle_beside
 from planner.stepping.footing import surely
-from planner.stepping.steering import LOOK_STEPS, MARGIN, Onward, step_toward
+from planner.stepping.steering import LOOK_STEPS, MARGIN, Onward, lengthened, step_toward
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
 from worlds.errors import InputError
@@ -50,7 +50,8 @@ def wander_on(
     wanted = heading + drift(seed, character, step)
     look = biped.gait.preferred_step * LOOK_STEPS * (1 + random.uniform(seed, character, step // 4, random.LOOK))
     right_first = random.uniform(seed, character, step // 12, random.SIDE) < 0.5
-    return step_toward(biped, world, middle, heading, wanted, look, right_first)
+    on = step_toward(biped, world, middle, heading, wanted, look, right_first)
+    return lengthened(on, middle, random.near_one(seed, character, step, biped.gait.variation))
 
 
 def _next_step(round: Round, me: Me) -> Wish:

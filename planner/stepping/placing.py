@@ -4,10 +4,11 @@ from math import cos, sin, sqrt
 from typing import Any
 
 from motion.arithmetic.gravity import froude_number, pendulum_time
+from motion.arithmetic.smooth import mix, smoothstep
 from motion.characters.dimensions import Dimensions
 from motion.pose import swing
 from motion.track import foot
-from motion.track.footprints import Footprints
+from motion.track.footprints import Footprints, out_of_plane
 from worlds import queries
 from worlds.arrays import FLAT, SPIRAL_STAIRS, STAIRS, WorldArrays
 from worlds.compiled.jit import jit_borrowing
@@ -28,6 +29,8 @@ EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
 QUICK, CALM = 0.6, 1.2
 """Swing times, in pendulum times of the nominal leg, up to which a foot lands flat, and from which on its heel may strike."""
+FOREFOOT = (0.06, 0.16)
+"""Drops below the sole's plane, in hip heights, from which on one lands less on the heel, and from which on on the ball."""
 RUNNERS_STRIKE = 0.65
 """Share by which the toes are less up when a runner lands."""
 Ground = tuple[float, float, float, float]
@@ -69,15 +72,30 @@ def forwardness(start: Any, goal: Any, heading: float) -> float:
 
 
 @jit_borrowing
+def landing_share(biped: Dimensions, footprints: Footprints, n: int, forward: float) -> float:
+    """Where on the sole the support on footprint n begins: at the heel of a step forward, at the toe of one backward.
+
+    After a drop, as on stairs, at the ball; down a slope, where both footprints lie in one plane, still at the heel.
+    """
+    drop = -out_of_plane(footprints, n)
+    ball, begin = 0.5 + biped.foot.ball_forward / biped.foot.length, 0.5 - 0.5 * forward
+    deep = smoothstep((drop / biped.timing.hip_height - FOREFOOT[0]) / (FOREFOOT[1] - FOREFOOT[0]))
+    return mix(begin, max(ball, begin), deep)
+
+
+@jit_borrowing
 def lay_strike(biped: Dimensions, footprints: Footprints, n: int) -> None:
-    """Sets how far the toes are up when footprint n is landed on: on its heel, in a swing with time for it; runners hardly."""
+    """Sets how far the toes are up when footprint n is landed on: on its heel, in a swing with time for it; runners hardly.
+
+    Who lands before the middle of the sole has the heel up as much.
+    """
     before = _before(footprints, n)
     footprints.strike[n] = 0.0
     if footprints.stands[n] or footprints.side[before] != footprints.side[n]:
         return
     time = swing.swing_time(footprints, before, n)
     calm = (time / pendulum_time(biped.leg.nominal_length) - QUICK) / (CALM - QUICK)
-    angle = biped.foot.heel_strike_angle * max(1 - 2 * footprints.roll[n, 0], 0.0)
+    angle = biped.foot.heel_strike_angle * min(max(1 - 2 * footprints.roll[n, 0], -1.0), 1.0)
     running = 1 - RUNNERS_STRIKE * foot.runs(footprints, before)
     footprints.strike[n] = angle * running * (1 - swing.fade(max(calm, 0.0), 1.0))
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from worlds.compiled.jit import jit_borrowing
 
-DRIFT, SIDE, LOOK, WAIT, PLACE, JAM = range(6)
+DRIFT, SIDE, LOOK, WAIT, PLACE, JAM, PACE, PACE_TOO = range(8)
 """Purposes: two questions of the same step get unrelated numbers."""
 
 
@@ -29,3 +29,10 @@ def uniform(seed: int, character: int, step: int, purpose: int) -> float:
     word = _mix(word ^ (np.uint64(step) + golden))
     word = _mix(word ^ (np.uint64(purpose) + golden))
     return np.float64(word >> np.uint64(11)) * (1.0 / 9007199254740992.0)
+
+
+@jit_borrowing
+def near_one(seed: int, character: int, step: int, deviation: float) -> float:
+    """A factor about 1 that belongs to a character's step; `deviation`: its standard deviation (triangular)."""
+    a, b = uniform(seed, character, step, PACE), uniform(seed, character, step, PACE_TOO)
+    return 1 + 2.449489742783178 * deviation * (a + b - 1)

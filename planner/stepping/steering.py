@@ -82,3 +82,10 @@ def step_toward(
     free = free_way(biped, world, x, y, heading + turn, margin, stride)
     length = min(stride * max(1 - 0.5 * abs(turn) / most, 0.3), free)
     return Onward(x + length * cos(heading + turn), y + length * sin(heading + turn), heading + turn, course)
+
+
+@jit_borrowing
+def lengthened(on: Onward, middle: tuple[float, float], share: float) -> Onward:
+    """The same step, `share` times as long."""
+    x, y = middle
+    return Onward(x + share * (on.x - x), y + share * (on.y - y), on.heading, on.course)

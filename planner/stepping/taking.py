@@ -8,7 +8,7 @@ from motion.characters.dimensions import Dimensions
 from motion.track.footprints import Footprints, Step, place, rise, stand_on, step_length, step_onto
 from planner.round.round import Wish
 from planner.stepping import timing
-from planner.stepping.placing import EDGE, forwardness, lay_sole, lay_strike
+from planner.stepping.placing import EDGE, forwardness, landing_share, lay_sole, lay_strike
 from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
@@ -42,7 +42,7 @@ def take_step(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: 
     else:
         rock = queries.rock_under(world, step.x, step.y, EDGE)
         place(footprints, n, step, lay_sole(biped, world, step.x, step.y, step.heading, rock), rock)
-    _roll(footprints, n)
+    _roll(biped, footprints, n)
     time, stance = _timing(biped, footprints, n, wish)
     _set_timing(biped, footprints, n, time, stance)
     footprints.nominal_length[n] *= step.crouch
@@ -51,14 +51,15 @@ def take_step(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: 
 
 
 @jit_borrowing
-def _roll(footprints: Footprints, n: int) -> None:
+def _roll(biped: Dimensions, footprints: Footprints, n: int) -> None:
     """Where the support begins on footprint n and ends on n - 1: heel to toe forward, toe to heel backward, else between."""
-    ahead = 0.0
+    ahead, begin = 0.0, 0.5
     if not footprints.stands[n]:
         start, goal = footprints.position[n - 1], footprints.position[n]
         ahead = forwardness(start, goal, footprints.heading[n])
         footprints.roll[n - 1, 1] = 0.5 + 0.5 * forwardness(start, goal, footprints.heading[n - 1])
-    footprints.roll[n, 0] = 0.5 - 0.5 * ahead
+        begin = landing_share(biped, footprints, n, ahead)
+    footprints.roll[n, 0] = begin
     footprints.roll[n, 1] = 0.5 + 0.5 * ahead
 
 

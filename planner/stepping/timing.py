@@ -21,10 +21,14 @@ RUNS_FROM = 0.5
 RUNNING_DUTY = 0.344
 RUN_POWER = 1.265
 """Speed of a run grows with this power of the step."""
-BREAKS_INTO, FAST_WALK = 0.62, 0.45
+BREAKS_INTO, FAST_WALK = 0.72, 0.45
 """Share of its speed from which one breaks into a run; Froude number of the fastest walk till then."""
+SLOWS_TO = 0.62
+"""Share of its speed to which a run, or a leap, slows down within a step."""
 RUNNERS_LEAP = 1.45
 """Who runs leaps only beyond so many leap lengths."""
+CLIMB, DESCENT, BRISK = 2.8, 2.8, 1.1
+"""How many lengths [m] a metre up or down counts for; so reckoned, no step is longer than so many preferred ones."""
 SHORTEST_STEP = 0.75
 """Step time of a walk in pendulum times of the hip's height: shorter is scurrying."""
 HURRIED = 1.3
@@ -65,6 +69,17 @@ def pace_of(biped: Dimensions, length: float) -> float:
         return walking
     share = _running(walking * walking / (unit * unit), law.gait_smoothness)
     return walking + share * (law.run_speed * (length / law.hip_height) ** RUN_POWER * unit - walking)
+
+
+@jit_borrowing
+def level_length(biped: Dimensions, length: float, rise: float) -> float:
+    """Length [m] of the step on the level that takes as long as one of this length and rise [m].
+
+    A tread makes a step short, not slow: people climb stairs of 17 / 29 cm with the cadence of their walk, at 0.5 to 0.8 m/s
+    (Fruin 1971), and go down them a little faster. A step that is long anyway is none the longer.
+    """
+    most = max(BRISK * biped.gait.preferred_step, length)
+    return min(length + (CLIMB * rise if rise > 0 else -DESCENT * rise), most)
 
 
 @jit_borrowing
@@ -126,17 +141,20 @@ def step_timing(
     """(step time, stance time) [s] of the footprint that a step leaves.
 
     length [m] horizontal, rise [m], turn [rad] >= 0; a hop on the same side is a leap of any length. longest: step time of a
-    walk, in pendulum times. running: who runs goes on running, and leaps only from further
-    on. before: speed of the step before [m/s]; from a walk nobody breaks into a run at once.
+    walk, in pendulum times. running: who runs goes on running, and leaps only from further on. before: speed of the step
+    before [m/s]: nobody breaks from a walk into a run at once, nor out of one.
     """
     law, unit = biped.timing, hip_pendulum(biped)
-    slower = 1 + law.turn_slowdown * turn + law.rise_slowdown * abs(rise) / law.hip_height
+    slower = 1 + law.turn_slowdown * turn + law.rise_slowdown * max(rise, 0.0) / law.hip_height
     if length > (RUNNERS_LEAP if running else 1.0) * biped.reach.leap_length or same_side:
         return _leap(biped, length, rise, slower)
-    v = pace_of(biped, max(length, 1e-3))
+    level = level_length(biped, max(length, 1e-3), rise)
+    v = pace_of(biped, level)
     if before < BREAKS_INTO * v:  # too slow to break into a run: a fast walk
         v = min(v, max(sqrt(FAST_WALK * GRAVITY * law.hip_height), before / BREAKS_INTO))
-    step = min(max(length / v, SHORTEST_STEP * unit), longest * unit) * slower
+    if RUNS_FROM * GRAVITY * law.hip_height < before * before < inf:  # too fast to walk at once
+        v = max(v, SLOWS_TO * before)
+    step = min(max(level / v, SHORTEST_STEP * unit), longest * unit) * slower
     froude = froude_number(length, step, law.hip_height)
     return step, _snap(step, 2 * duty_factor(froude, law.gait_smoothness, law.walking_duty) * step)
 

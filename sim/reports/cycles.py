@@ -18,6 +18,8 @@ from worlds.errors import InputError
 
 ANGLES = ("hip_flexion", "knee_flexion", "ankle_dorsiflexion")
 PERCENT = np.linspace(0, 100, 201)
+LEAST = 0.3
+"""Upward forces below so many body weights slip over nothing that matters."""
 
 
 class Cycle(NamedTuple):
@@ -26,6 +28,7 @@ class Cycle(NamedTuple):
     percent: np.ndarray  # (K,) of the stride
     angles: dict[str, np.ndarray]  # of ANGLES, (K,) [deg]
     force: np.ndarray  # (K,) upward, of both feet, in body weights
+    friction: np.ndarray  # (K,) that the force needs of the ground: level by upward; 0 where that is below LEAST
     speed: float  # [m/s]
     duty: float  # share of the stride that the foot stands
 
@@ -43,10 +46,13 @@ def cycle(show: Performance, n: int) -> Cycle:
     thigh, shank = (_hanging(points[b] - points[a]) for a, b in (("hip", "knee"), ("knee", "ankle")))
     sole = points["ball"] - points["heel"]
     pitch = np.degrees(np.arctan2(sole[:, 2], np.hypot(sole[:, 0], sole[:, 1])) * np.sign(sole[:, 0] + 1e-12))
-    force = 1 + np.array([pose.com_acceleration[0, 2] for pose in poses]) / GRAVITY
+    needed = np.array([pose.com_acceleration[0] for pose in poses]) / GRAVITY + (0, 0, 1)
+    force, level = needed[:, 2], np.hypot(needed[:, 0], needed[:, 1])
+    friction = np.where(force < LEAST, 0.0, level / np.maximum(force, LEAST))
     way = np.linalg.norm(footprints.position[n + 2, :2] - footprints.position[n, :2])
     angles = dict(zip(ANGLES, (thigh, thigh - shank, pitch - shank), strict=True))
-    return Cycle(PERCENT, angles, force, float(way / (end - begin)), float(footprints.stance_time[n] / (end - begin)))
+    duty = footprints.stance_time[n] / (end - begin)
+    return Cycle(PERCENT, angles, force, friction, float(way / (end - begin)), float(duty))
 
 
 def _hanging(way: np.ndarray) -> np.ndarray:

@@ -108,7 +108,8 @@ def steady_stride(step: float) -> Cycle:
 
 
 def curve_rows() -> list[Row]:
-    """Key figures of the strides, beside those of people (Fukuchi et al. 2018; Winter 1991; Nilsson and Thorstensson 1989)."""
+    """Key figures of the strides, beside those of people (Fukuchi et al. 2018; Winter 1991; Nilsson and
+    Thorstensson 1989; friction: Redfern et al. 2001)."""
     walk, run = strides().values()
     knee, ankle, percent = walk.angles["knee_flexion"], walk.angles["ankle_dorsiflexion"], walk.percent
     middle, leaving = (percent >= 20) & (percent <= 50), (percent >= 60) & (percent <= 66)
@@ -121,7 +122,9 @@ def curve_rows() -> list[Row]:
         Row("walk: force at 14 % of the stride", "BW", at(walk, walk.force, 14), 1.0, 1.25),
         Row("walk: force at 29 %", "BW", at(walk, walk.force, 29), 0.65, 0.85),
         Row("walk: force at 47 %", "BW", at(walk, walk.force, 47), 1.0, 1.25),
+        Row("walk: friction needed", "", float(walk.friction.max()), 0.15, 0.4),
         Row("run: peak force", "BW", float(run.force.max()), 2.0, 2.9),
+        Row("run: friction needed", "", float(run.friction.max()), 0.15, 0.7),
         *(Row(what, "m/s", value, 0.9 * speed, 1.1 * speed) for what, value, speed in peaks),
     ]
 

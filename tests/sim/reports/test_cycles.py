@@ -11,7 +11,7 @@ from sim.reports.cycles import ANGLES, PERCENT, Cycle, compared, people_of
 from worlds.errors import InputError
 
 WAVE = 30 + 20 * np.sin(2 * np.pi * PERCENT / 100)
-OURS = Cycle(PERCENT, dict.fromkeys(ANGLES, WAVE), np.ones(len(PERCENT)), 1.3, 0.6)
+OURS = Cycle(PERCENT, dict.fromkeys(ANGLES, WAVE), np.ones(len(PERCENT)), np.zeros(len(PERCENT)), 1.3, 0.6)
 
 
 def test_an_offset_is_no_difference():
