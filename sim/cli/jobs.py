@@ -18,6 +18,9 @@ COMMANDS = {
     "timing": "reporting.timing",
     "literature": "reporting.people",
     "bench": "reporting.bench",
+    "batch": "batching.batch",
+    "import-trackway": "imports.trackway",
+    "import-trajectories": "imports.trajectories",
 }
 
 

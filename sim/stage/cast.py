@@ -27,6 +27,13 @@ from worlds.world import World
 TICK_RATE = 60
 
 
+class Site(NamedTuple):
+    """What a picture of all that happens shows."""
+
+    middle: np.ndarray  # (3,) [m]
+    radius: float  # [m]
+
+
 class Change(NamedTuple):
     """Something that was changed while time went on, as recordings and saved states hold it."""
 
@@ -93,6 +100,15 @@ class Cast:
         com = np.empty((len(self.characters), 3))
         posing.com_all(self._shown_at(), self.moment(time), com)
         return com
+
+    @property
+    def site(self) -> Site | None:
+        """Where everything happens, for those who look at all of it; None where one follows a character instead."""
+        return None
+
+    def present(self, time: float | None = None) -> np.ndarray:
+        """(C,) bool: who is there at `time` [s], by default now; the others are not to be seen."""
+        return np.ones(len(self.characters), bool)
 
     def skeleton(self, character: int) -> Skeleton:
         """The bones of a character at rest."""

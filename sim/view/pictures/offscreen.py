@@ -36,11 +36,14 @@ class Picture:
         self.distance = 5.2  # in nominal leg lengths
 
     def frame(self, sim: Cast, focus: int = 0, time: float | None = None) -> np.ndarray:
-        """(height, width, 3) uint8 of a moment [s], by default now: a character, and of those around it a crowd."""
+        """(height, width, 3) uint8 of a moment [s], by default now: the site, or a character and those around it."""
         time = sim.time if time is None else time
         unit = sim.leg(focus)
-        self.camera.meet(sim.com(time), focus, self.distance * unit)
-        self.camera.target -= (0, 0, 0.25 * unit)
+        if (site := sim.site) is not None:
+            self.camera.frame(site.middle, site.radius, self.distance * unit)
+        else:
+            self.camera.meet(sim.com(time), focus, self.distance * unit)
+            self.camera.target -= (0, 0, 0.25 * unit)
         return self.shoot(sim, focus, time)
 
     def shoot(self, sim: Cast, focus: int, time: float) -> np.ndarray:
