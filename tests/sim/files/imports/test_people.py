@@ -135,3 +135,14 @@ def test_a_part_of_a_file(tmp_path):
     assert min(way.begin for way in between(ways, None)) == 0
     with pytest.raises(InputError, match="nobody is seen twice between 50 and 60 s; the file is of 0.4 to 2.9 s"):
         between(ways, (50.0, 60.0))
+
+
+def test_pedpy_reads_the_same(tmp_path):
+    pedpy = pytest.importorskip("pedpy", reason="pedpy is not installed")
+    path = tmp_path / "people.txt"
+    path.write_text(text("pedpy_cm.txt"), "utf-8")
+    theirs = pedpy.load_trajectory(trajectory_file=path).data
+    for way in read_ways(path):
+        rows = theirs[theirs.id == int(way.name)].sort_values("frame")
+        np.testing.assert_allclose(way.place, rows[["x", "y"]].to_numpy(), atol=1e-9)
+        np.testing.assert_allclose(way.time, rows.frame.to_numpy() / FPS, atol=1e-9)
