@@ -54,20 +54,40 @@ def standing_at(course: Course, biped: Dimensions, time: float) -> list[Stood]:
 
 
 def own_treads(way: Way, course: Course, biped: Dimensions, pace: Pace) -> list[Tread]:
-    """The footsteps that a way has itself, left and right in turn: the body over each when it ends; and the feet meet where
-    it waits."""
-    at, taken, side, last = np.flatnonzero(way.landed), list[Tread](), RIGHT, np.inf
-    for k in at.tolist():
+    """The footsteps that a way has itself, left and right in turn: the body over each when it ends.
+
+    Before and behind them one walks as the course is led on; the feet meet where one waits, and at the end.
+    """
+    at = np.flatnonzero(way.landed).tolist()
+    taken, last, side = _led(course, biped, pace, RIGHT, way.begin, -1.0), np.inf, RIGHT
+    for k in at:
         since = float(way.time[k] - way.time[k - 1])
-        if taken and float(way.time[k - 1]) - last > GATHERS * pace.step(0.0):
+        if float(way.time[k - 1]) - last > GATHERS * pace.step(0.0):
             taken.append(_beside(taken[-1], biped, pace))
             side = taken[-1].side
         side, last = 1 - side, float(way.time[k])
         speed = float(np.hypot(*(way.place[k] - way.place[k - 1]))) / max(since, 1e-9)
-        heading = course.heading_at(float(way.time[k]))
+        heading = course.heading_at(last)
         x, y = beside(biped, side, (float(way.place[k, 0]), float(way.place[k, 1])), heading)
-        taken.append(Tread(side, x, y, heading, float(way.time[k]) - 0.5 * pace.stance(speed), min(pace.step(speed), since)))
-    return [*taken, _beside(taken[-1], biped, pace)] if taken else taken
+        taken.append(Tread(side, x, y, heading, last - 0.5 * pace.stance(speed), min(pace.step(speed), since)))
+    taken += _led(course, biped, pace, 1 - side, last, 1.0)
+    return [*taken, _beside(taken[-1], biped, pace)]
+
+
+def _led(course: Course, biped: Dimensions, pace: Pace, side: int, at: float, sign: float) -> list[Tread]:
+    """Treads from foot `side` on along what a course is led on by: before its begin (sign -1), in their order, or behind it."""
+    found, least = list[Tread](), WORTH * float(biped.gait.preferred_step)
+    speed = course.speed(at - 0.4, at) if sign > 0 else course.speed(at, at + 0.4)
+    if not (course.leaves if sign > 0 else course.enters):
+        return found
+    time = pace.step(speed)
+    at += time if sign > 0 else 0.0
+    while course.time[0] + time < at < course.time[-1] and time * course.speed(at - time, at) > least:
+        heading = course.heading_at(at)
+        x, y = beside(biped, side, course.at(at), heading)
+        found.append(Tread(side, x, y, heading, at - 0.5 * pace.stance(course.speed(at - time, at)), time))
+        side, at = 1 - side, at + sign * time
+    return found if sign > 0 else found[::-1]
 
 
 def _beside(last: Tread, biped: Dimensions, pace: Pace) -> Tread:
