@@ -13,7 +13,7 @@ import numpy as np
 from sim.rows.stones import ACTIONS, SEEN
 from sim.stage.learning.stepping import SteppingStones
 
-POLICIES, ELITE, ROWS, STEPS = 64, 10, 12, 15
+POLICIES, ELITE, ROWS, STEPS = 160, 24, 12, 15
 
 
 def played(stones, policies, seeds):
@@ -36,19 +36,19 @@ def played(stones, policies, seeds):
 def learn(generations, seed=0):
     """The policy, and the history (G, 3) of level, mean reward and stones reached of the middle of the elite."""
     chance, history = np.random.default_rng(seed), []
-    middle, spread = np.zeros((ACTIONS, SEEN + 1)), np.full((ACTIONS, SEEN + 1), 0.4)
+    middle, spread = np.zeros((ACTIONS, SEEN + 1)), np.full((ACTIONS, SEEN + 1), 0.1)
     stones, judge, level = SteppingStones(POLICIES * ROWS, steps=STEPS), SteppingStones(ROWS, steps=STEPS), 0.0
     for k in range(generations):
         stones.first_level = judge.first_level = level
         policies = middle + spread * chance.standard_normal((POLICIES, *middle.shape))
         reward, _ = played(stones, policies, chance.integers(2**40, size=ROWS))
         best = policies[np.argsort(-reward)[:ELITE]]
-        middle, spread = best.mean(axis=0), best.std(axis=0) + 0.2 * 0.9**k
+        middle, spread = best.mean(axis=0), best.std(axis=0) + 0.02 * 0.98**k
         mine, reached = played(judge, middle[None], np.arange(ROWS))
         history.append((level, mine[0], reached[0]))
         print(f"generation {k + 1:3}: level {level:.2f}, reward {mine[0]:6.2f}, {reached[0]:5.1f} of {STEPS} stones")
         if reached[0] > 0.8 * STEPS:
-            level = min(level + 0.1, 1.0)
+            level = min(level + 0.05, 1.0)
     return middle, np.array(history)
 
 
