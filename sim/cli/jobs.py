@@ -14,6 +14,7 @@ COMMANDS = {
     "play": "scenes.play",
     "sheets": "scenes.sheets",
     "check": "scenes.check",
+    "export": "exporting.export",
     "measure": "reporting.measured_run",
     "timing": "reporting.timing",
     "literature": "reporting.people",

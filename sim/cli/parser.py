@@ -6,6 +6,7 @@ import re
 from typing import Any, NoReturn
 
 from sim import VERSION
+from sim.export.endings import FORMATS
 
 ABOUT = "Footfall: footprints in, living motion out."
 DEFAULTS: dict[str, dict[str, Any]] = {
@@ -70,6 +71,7 @@ def parser() -> argparse.ArgumentParser:
     commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
     _add_runs(commands)
     _add_reports(commands)
+    _add_doors(commands)
     commands.add_parser("test", help="run the tests, in a checkout; further arguments go to pytest")
     return top
 
@@ -118,6 +120,22 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     bench.add_argument("--json", action="store_true")
     bench.add_argument("--quick", action="store_true", help="fewer repetitions and smaller crowds")
     bench.add_argument("--plot", metavar="OUT.png", help="draw how crowds keep real time, and what a step costs")
+
+
+def _add_doors(commands: argparse._SubParsersAction) -> None:
+    """Commands that let motion out to other programs."""
+    export = commands.add_parser(
+        "export", help="motion for other programs: " + ", ".join(FORMATS), formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog="kinds of files:\n" + "\n".join(f"  {ending:10}{form.about}" for ending, form in FORMATS.items()),
+    )  # fmt: skip
+    export.add_argument("source", metavar="RUN.npz|STATE.npz|SCENE", help="a recording, a saved state, or a scene")
+    export.add_argument("out", metavar="OUT", help="its ending says what is made")
+    export.add_argument("--character-index", type=_index, metavar="C", help="only this one, from 0")
+    export.add_argument("--between", type=float, nargs=2, metavar=("T0", "T1"), help="only these seconds of the run")
+    export.add_argument("--fps", type=float, metavar="N", help="moments per second; by default all that there are")
+    export.add_argument("--array", metavar="NAME", help=".csv: this array of a recording")
+    export.add_argument("--scenery", action="store_true", help="terrain, trees, rocks and water too (.glb)")
+    export.add_argument("--size", type=_size, default=(960, 540), metavar="WxH", help="of films and sprites, in pixels")
 
 
 def _common(job: argparse.ArgumentParser) -> None:

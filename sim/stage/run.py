@@ -30,7 +30,7 @@ def run(
             look()
         watch.look()
         if not quiet and (k % 30 == 0 or k == ticks - 1):
-            _bar((k + 1) / ticks)
+            progress((k + 1) / ticks)
         if stop() or sim.over or (watch.all_there_since is not None and sim.time - watch.all_there_since > STANDS_STILL):
             break
     if not quiet:
@@ -39,7 +39,8 @@ def run(
     return watch.summary()
 
 
-def _bar(share: float) -> None:
+def progress(share: float) -> None:
+    """How much is done, 0 to 1, as a bar that stays in its line."""
     full = int(30 * share)
     tell(f"\r  [{'#' * full}{'.' * (30 - full)}] {share:4.0%}", end="")
 

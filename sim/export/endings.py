@@ -1,0 +1,26 @@
+"""The formats by the endings of their names. A new one is a line here, and a file whose function writes a clip.
+
+It needs nothing but Python: the command line is read before anything is installed.
+"""
+
+from typing import NamedTuple
+
+
+class Format(NamedTuple):
+    """A format, and who writes it."""
+
+    about: str
+    where: str  # module.function in sim.export
+    apart: bool = False  # each character is a file of its own
+
+
+FORMATS = {
+    ".csv": Format("contacts and supporting forces, or --array NAME", "contacts.export_contacts"),
+    ".parquet": Format("contacts and supporting forces (needs pyarrow)", "contacts.export_contacts"),
+    ".glb": Format("bodies and motion: Blender, Godot, Unity, Unreal, three.js", "glb.export_glb"),
+    ".bvh": Format("skeleton and motion, a file per character", "bvh.export_bvh", apart=True),
+    ".html": Format("a page that plays it, by itself", "page.export_page"),
+    ".txt": Format("trajectories, PedPy and JuPedSim", "trajectories.export_text"),
+    ".sqlite": Format("trajectories, JuPedSim", "trajectories.export_sqlite"),
+    ".traj": Format("footsteps, Vadere", "trajectories.export_footsteps"),
+}
