@@ -5,11 +5,11 @@ from pathlib import Path
 from typing import Any
 
 from sim.cli.status import DONE
-from sim.export.asked import Asked
-from sim.export.clip import Clip
-from sim.export.clips import clip_of
-from sim.export.contacts import export_array
+from sim.export.clip.asked import Asked
+from sim.export.clip.clip import Clip
+from sim.export.clip.cutting import clip_of
 from sim.export.formats import exporter_of, format_of
+from sim.export.tables.contacts import export_array
 from sim.files import outputs
 from sim.files.recording import Recording
 from sim.files.taking import opened, span_of, taken

@@ -12,15 +12,16 @@ class Format(NamedTuple):
     about: str
     where: str  # module.function in sim.export
     apart: bool = False  # each character is a file of its own
+    needs: tuple[str, str] | None = None  # a module that may be missing, and the package that brings it
 
 
 FORMATS = {
-    ".csv": Format("contacts and supporting forces, or --array NAME", "contacts.export_contacts"),
-    ".parquet": Format("contacts and supporting forces (needs pyarrow)", "contacts.export_contacts"),
-    ".glb": Format("bodies and motion: Blender, Godot, Unity, Unreal, three.js", "glb.export_glb"),
-    ".bvh": Format("skeleton and motion, a file per character", "bvh.export_bvh", apart=True),
+    ".csv": Format("contacts and supporting forces, or --array NAME", "tables.contacts.export_contacts"),
+    ".parquet": Format("contacts and supporting forces", "tables.contacts.export_contacts", needs=("pyarrow", "pyarrow")),
+    ".glb": Format("bodies and motion: Blender, Godot, Unity, Unreal, three.js", "skeletons.glb.export_glb"),
+    ".bvh": Format("skeleton and motion, a file per character", "skeletons.bvh.export_bvh", apart=True),
     ".html": Format("a page that plays it, by itself", "page.export_page"),
-    ".txt": Format("trajectories, PedPy and JuPedSim", "trajectories.export_text"),
-    ".sqlite": Format("trajectories, JuPedSim", "trajectories.export_sqlite"),
-    ".traj": Format("footsteps, Vadere", "trajectories.export_footsteps"),
+    ".txt": Format("trajectories, PedPy and JuPedSim", "tables.trajectories.export_text"),
+    ".sqlite": Format("trajectories, JuPedSim", "tables.trajectories.export_sqlite"),
+    ".traj": Format("footsteps, Vadere", "tables.trajectories.export_footsteps"),
 }

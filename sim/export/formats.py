@@ -1,11 +1,12 @@
 """Which exporter writes a file, by the ending of its name."""
 
 from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Protocol, cast
 
-from sim.export.asked import Asked
-from sim.export.clip import Clip
+from sim.export.clip.asked import Asked
+from sim.export.clip.clip import Clip
 from sim.export.endings import FORMATS, Format
 from worlds.errors import InputError
 from worlds.reading import nearest
@@ -18,8 +19,11 @@ class Exporter(Protocol):
 
 
 def exporter_of(path: str) -> Exporter:
-    """What writes a file of this name; nothing else is loaded. Raises InputError."""
-    module, _, name = format_of(path).where.partition(".")
+    """What writes a file of this name; nothing else is loaded. Raises InputError where it is none, or a library is missing."""
+    form = format_of(path)
+    if form.needs and find_spec(form.needs[0]) is None:
+        raise InputError(f"{path}: needs {form.needs[1]}: pip install {form.needs[1]}")
+    module, _, name = form.where.rpartition(".")
     return cast(Exporter, getattr(import_module(f"sim.export.{module}"), name))
 
 

@@ -13,10 +13,10 @@ from importlib.resources import files
 import numpy as np
 
 from motion.measures.forces import supporting_forces
-from sim.export.asked import Asked
-from sim.export.axes import y_up
-from sim.export.clip import Actor, Clip
-from sim.export.glb import add_scenery, gltf_of, kind_of
+from sim.export.clip.asked import Asked
+from sim.export.clip.clip import Actor, Clip
+from sim.export.skeletons.axes import y_up
+from sim.export.skeletons.glb import add_scenery, gltf_of, kind_of
 from sim.files import outputs
 from sim.view.bodies.bodies import outline
 

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sim.export.asked import Asked
-from sim.export.clips import clip_of
+from sim.export.clip.asked import Asked
+from sim.export.clip.cutting import clip_of
 from sim.files.recording import Recorder, Recording
 from sim.files.taking import span_of, taken
 from sim.stage.making import make_simulation

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from sim.export.asked import Asked
+from sim.export.clip.asked import Asked
 from sim.export.page import export_page
 from tests.sim.export.readers import clip, recording
 

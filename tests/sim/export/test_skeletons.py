@@ -5,10 +5,10 @@ import pytest
 
 from motion.characters.character import character_names
 from planner.script.scene import load_scene, scene_names
-from sim.export.asked import Asked
-from sim.export.axes import y_up
-from sim.export.bvh import SCALE, bvh_of, euler_zyx, export_bvh
-from sim.export.glb import export_glb
+from sim.export.clip.asked import Asked
+from sim.export.skeletons.axes import y_up
+from sim.export.skeletons.bvh import SCALE, bvh_of, euler_zyx, export_bvh
+from sim.export.skeletons.glb import export_glb
 from sim.stage.performance import Performance
 from tests.sim.export.readers import clip, moments, node, recording
 

@@ -5,8 +5,8 @@ import pytest
 
 from motion.characters.character import character_names, load_character
 from motion.pose.bones import Placed
-from sim.export import skin
-from sim.export.skin import skin_of
+from sim.export.skeletons import skin
+from sim.export.skeletons.skin import skin_of
 from tests.sim.export.readers import clip, recording
 
 

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.pose.pose import Pose
-from sim.export.asked import Asked
-from sim.export.clip import Actor, Clip
+from sim.export.clip.asked import Asked
+from sim.export.clip.clip import Actor, Clip
 from sim.files.recording import UNEVEN, Recording
 from sim.files.taking import EDGE
 from sim.view.bodies.dress import colours_of

@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 
 from sim.files import outputs
-from worlds.errors import InputError
 
 Columns = dict[str, np.ndarray]
 BLOCK = 10_000
@@ -17,7 +16,7 @@ def write_table(columns: Columns, path: str) -> None:
     """A table (N,) per column, by the ending of its name. Raises InputError."""
     with outputs.whole(path) as temporary:
         if path.lower().endswith(".parquet"):
-            _write_parquet(columns, temporary, path)
+            _write_parquet(columns, temporary)
         else:
             _write_csv(columns, temporary)
 
@@ -33,16 +32,7 @@ def _write_csv(columns: Columns, path: Path) -> None:
             writer.writerows(zip(*part, strict=True))
 
 
-def check_parquet(path: str) -> None:
-    """Raises InputError where there is no library for it."""
-    try:
-        import pyarrow.parquet  # noqa: F401
-    except ImportError as error:
-        raise InputError(f"{path}: .parquet needs pyarrow: pip install pyarrow ({error})") from None
-
-
-def _write_parquet(columns: Columns, path: Path, wanted: str) -> None:
-    check_parquet(wanted)
+def _write_parquet(columns: Columns, path: Path) -> None:
     import pyarrow
     from pyarrow import parquet
 

@@ -9,8 +9,8 @@ from itertools import pairwise
 import numpy as np
 
 from sim import VERSION
-from sim.export.asked import Asked
-from sim.export.clip import Actor, Clip
+from sim.export.clip.asked import Asked
+from sim.export.clip.clip import Actor, Clip
 from sim.files import outputs
 from worlds.errors import InputError
 

@@ -9,12 +9,12 @@ import numpy as np
 
 from motion.characters.character import Character
 from sim import VERSION
-from sim.export.asked import Asked
-from sim.export.axes import steady, y_up, y_up_xyzw
-from sim.export.clip import Actor, Clip
-from sim.export.gltf import INDICES, VERTICES, Gltf
-from sim.export.scenery import Shape, scenery_of
-from sim.export.skin import Skin, colours_of_skin, skin_of
+from sim.export.clip.asked import Asked
+from sim.export.clip.clip import Actor, Clip
+from sim.export.skeletons.axes import steady, y_up, y_up_xyzw
+from sim.export.skeletons.gltf import INDICES, VERTICES, Gltf
+from sim.export.skeletons.scenery import Shape, scenery_of
+from sim.export.skeletons.skin import Skin, colours_of_skin, skin_of
 from sim.files import outputs
 
 LITTLE = 1e-5

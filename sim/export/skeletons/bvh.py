@@ -9,9 +9,9 @@ from io import StringIO
 
 import numpy as np
 
-from sim.export.asked import Asked
-from sim.export.axes import y_up, y_up_xyzw
-from sim.export.clip import Actor, Clip
+from sim.export.clip.asked import Asked
+from sim.export.clip.clip import Actor, Clip
+from sim.export.skeletons.axes import y_up, y_up_xyzw
 from sim.files import outputs
 
 SCALE = 100.0
