@@ -3,10 +3,11 @@
 import argparse
 import difflib
 import re
+from pathlib import Path
 from typing import Any, NoReturn
 
 from sim import VERSION
-from sim.export.endings import FORMATS
+from sim.export.endings import FILMS, FORMATS
 
 ABOUT = "Footfall: footprints in, living motion out."
 DEFAULTS: dict[str, dict[str, Any]] = {
@@ -46,6 +47,9 @@ def parsed(arguments: list[str]) -> argparse.Namespace:
     if unknown:
         _command_of(top, options.command).error(f"unrecognized arguments: {' '.join(unknown)}")
     defaults = DEFAULTS.get(options.command, {})
+    if options.command == "export":
+        film = Path(options.out).suffix.lower() in FILMS
+        options.video = options.out if film else None
     options.given = {name for name in defaults if getattr(options, name) is not None}
     for name in defaults.keys() - options.given:
         setattr(options, name, defaults[name])

@@ -57,6 +57,7 @@ class Clip:
     time: np.ndarray  # (F,) [s] of the run, 1 / rate apart
     rate: float  # moments per second
     actors: tuple[Actor, ...]
+    seed: int = 0  # of chance, which colours what is drawn
 
     @property
     def elapsed(self) -> np.ndarray:

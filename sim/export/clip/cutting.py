@@ -28,7 +28,7 @@ def clip_of(recording: Recording, asked: Asked) -> Clip:
     kinds = [recording.cast(c)[0].character for c in range(count)]
     colours = colours_of(kinds, recording.meta.get("seed", 0))
     actors = [_actor(recording, c, frames.which, time, {name: rows[c : c + 1] for name, rows in colours.items()}) for c in each]
-    return Clip(recording.meta["level"], recording.world, time, frames.rate, tuple(actors))
+    return Clip(recording.meta["level"], recording.world, time, frames.rate, tuple(actors), recording.meta.get("seed", 0))
 
 
 class Frames(NamedTuple):
