@@ -18,10 +18,12 @@ class Format(NamedTuple):
 
 
 FFMPEG = ("imageio_ffmpeg", "imageio-ffmpeg")
+USD = ("pxr", "usd-core")
 FORMATS = {
     ".csv": Format("contacts and supporting forces, or --array NAME", "tables.contacts.export_contacts"),
     ".parquet": Format("contacts and supporting forces", "tables.contacts.export_contacts", needs=("pyarrow", "pyarrow")),
     ".glb": Format("bodies and motion: Blender, Godot, Unity, Unreal, three.js", "skeletons.glb.export_glb"),
+    **{ending: Format("bodies and motion, UsdSkel", "skeletons.usd.export_usd", needs=USD) for ending in (".usda", ".usdc")},
     ".bvh": Format("skeleton and motion, a file per character", "skeletons.bvh.export_bvh", apart=True),
     **{ending: Format("a film", "films.export_film", needs=FFMPEG) for ending in FILMS},
     ".png": Format("a sheet of sprites, of one character from its side", "films.export_sprites"),

@@ -16,7 +16,8 @@ from motion.measures.forces import supporting_forces
 from sim.export.clip.asked import Asked
 from sim.export.clip.clip import Actor, Clip
 from sim.export.skeletons.axes import y_up
-from sim.export.skeletons.glb import add_scenery, gltf_of, kind_of
+from sim.export.skeletons.glb import add_scenery, gltf_of
+from sim.export.skeletons.skin import kind_of
 from sim.files import outputs
 from sim.view.bodies.bodies import outline
 

@@ -1,4 +1,4 @@
-"""From our axes (x forward, y left, z up) to those of engines and of motion capture (z forward, x left, y up).
+"""Into the terms of other programs: from our axes (x forward, y left, z up) to theirs (z forward, x left, y up).
 
 Both are right-handed, so the change is a turn: (x, y, z) becomes (y, z, x), of points as of a quaternion's vector.
 """
@@ -24,3 +24,8 @@ def steady(rotations: np.ndarray) -> np.ndarray:
     dots = np.einsum("...i,...i->...", rotations[1:], rotations[:-1])
     signs = np.cumprod(np.concatenate([np.ones_like(dots[:1]), np.where(dots < 0, -1.0, 1.0)]), axis=0)
     return rotations * signs[..., None]
+
+
+def light_of(colour: np.ndarray) -> np.ndarray:
+    """Red, green, blue of a screen (..., 3), 0..1, as light (IEC 61966-2-1)."""
+    return np.where(colour <= 0.04045, colour / 12.92, ((colour + 0.055) / 1.055) ** 2.4)

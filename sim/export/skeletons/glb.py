@@ -7,14 +7,13 @@ a kind share their mesh's numbers, and differ by colours.
 
 import numpy as np
 
-from motion.characters.character import Character
 from sim import VERSION
 from sim.export.clip.asked import Asked
 from sim.export.clip.clip import Actor, Clip
-from sim.export.skeletons.axes import steady, y_up, y_up_xyzw
+from sim.export.skeletons.axes import light_of, steady, y_up, y_up_xyzw
 from sim.export.skeletons.gltf import INDICES, VERTICES, Gltf
 from sim.export.skeletons.scenery import Shape, scenery_of
-from sim.export.skeletons.skin import Skin, colours_of_skin, skin_of
+from sim.export.skeletons.skin import Skin, colours_of_skin, heads_at_rest, kind_of, skin_of
 from sim.files import outputs
 
 LITTLE = 1e-5
@@ -44,11 +43,6 @@ def gltf_of(clip: Clip) -> Gltf:
     return gltf
 
 
-def kind_of(character: Character) -> bytes:
-    """Characters of which this is the same have one shape."""
-    return character.biped.tobytes() + repr(character.look).encode()  # type: ignore[attr-defined]
-
-
 def _add_skeleton(gltf: Gltf, actor: Actor) -> list[int]:
     """A node for each bone; returns their numbers."""
     skeleton, first = actor.skeleton, len(gltf.tables.get("nodes", []))
@@ -68,7 +62,7 @@ def _numbers(values: np.ndarray) -> list[float]:
 
 def _add_body(gltf: Gltf, actor: Actor, skin: Skin, joints: list[int], look: int) -> None:
     """The mesh in its colours, and what carries it."""
-    heads = _heads(actor)
+    heads = heads_at_rest(actor.skeleton)
     inverse = np.tile(np.eye(4), (len(heads), 1, 1))
     inverse[:, 3, :3] = -y_up(heads)  # columns first, as OpenGL has them
     colour = colours_of_skin(actor.character, skin, actor.colours)
@@ -91,19 +85,9 @@ def _add_body(gltf: Gltf, actor: Actor, skin: Skin, joints: list[int], look: int
     gltf.add("nodes", name=f"{actor.name}_body", mesh=mesh, skin=carried)
 
 
-def _heads(actor: Actor) -> np.ndarray:
-    """(B, 3) where the bones begin at rest."""
-    skeleton = actor.skeleton
-    heads = skeleton.offset.copy()
-    for b in range(1, len(heads)):
-        heads[b] += heads[skeleton.parent[b]]
-    return heads
-
-
 def _linear(colour: np.ndarray) -> np.ndarray:
-    """(V, 4) red, green, blue of a screen (V, 3), 0..1, as light (IEC 61966-2-1), and no transparency; 0..65535."""
-    light = np.where(colour <= 0.04045, colour / 12.92, ((colour + 0.055) / 1.055) ** 2.4)
-    return np.round(65535 * np.column_stack([light, np.ones(len(light))]))
+    """(V, 4) colours of a screen (V, 3), 0..1, as light and no transparency; 0..65535."""
+    return np.round(65535 * np.column_stack([light_of(colour), np.ones(len(colour))]))
 
 
 def _add_animation(gltf: Gltf, actor: Actor, joints: list[int], elapsed: np.ndarray) -> None:

@@ -60,6 +60,19 @@ def skin_of(character: Character) -> Skin:
     return Skin(position, normal, bones[each, end], weight[each, end], corners, each)
 
 
+def kind_of(character: Character) -> bytes:
+    """Characters of which this is the same have one shape."""
+    return character.biped.tobytes() + repr(character.look).encode()  # type: ignore[attr-defined]
+
+
+def heads_at_rest(skeleton: Skeleton) -> np.ndarray:
+    """(B, 3) where the bones begin."""
+    heads = skeleton.offset.copy()
+    for b in range(1, len(heads)):
+        heads[b] += heads[skeleton.parent[b]]
+    return heads
+
+
 def colours_of_skin(character: Character, skin: Skin, colours: dict[str, np.ndarray]) -> np.ndarray:
     """(V, 3) what a character wears, red, green, blue in 0..1: its `colours` as sim.view.bodies.dress has them."""
     at = _poses(skeleton_of(character))
