@@ -17,6 +17,8 @@ LIVE = 20.0
 """A state goes on for so long [s] where nothing else is asked for."""
 LONGEST = 3600.0
 """A state goes on for no longer than this [s]."""
+MOST_POSES = 2_000_000
+"""Moments times characters that are taken at once: a pose takes 2 KB, and bones as much."""
 EDGE = 1e-6
 """A moment this near [s] to the end of what is asked for belongs to it."""
 
@@ -56,9 +58,10 @@ def span_of(cast: Cast, begin: float | None, end: float | None) -> Span:
 
 
 def taken(cast: Cast, span: Span, rate: float, told: Told) -> Recording:
-    """A recording of a scene or a state, of so many moments per second."""
-    recorder = Recorder(cast)
+    """A recording of a scene or a state, of so many moments per second. Raises InputError where that is too much."""
     count = int((span.end - span.begin) * rate + EDGE) + 1
+    check_poses(count, len(cast.characters))
+    recorder = Recorder(cast)
     for k in range(count):
         time = span.begin + k / rate
         while cast.time < time - EDGE:
@@ -67,3 +70,12 @@ def taken(cast: Cast, span: Span, rate: float, told: Told) -> Recording:
         if k % 30 == 0 or k == count - 1:
             told((k + 1) / count)
     return recorder.recording()
+
+
+def check_poses(moments: int, characters: int) -> None:
+    """Raises InputError where these are more than memory is asked for."""
+    if moments * characters > MOST_POSES:
+        raise InputError(
+            f"{moments} moments of {characters} characters: {MOST_POSES} poses are allowed: "
+            "give --between T0 T1, fewer --fps, or, of a recording, --character-index C"
+        )

@@ -12,7 +12,7 @@ from motion.pose.pose import Pose
 from sim.export.clip.asked import Asked
 from sim.export.clip.clip import Actor, Clip
 from sim.files.recording import UNEVEN, Recording
-from sim.files.taking import EDGE
+from sim.files.taking import EDGE, check_poses
 from sim.view.bodies.dress import colours_of
 from worlds.errors import InputError
 
@@ -25,6 +25,7 @@ def clip_of(recording: Recording, asked: Asked) -> Clip:
         raise InputError(f"--character-index {asked.character}: there are {count} characters, counted from 0")
     time = np.asarray(recording.arrays["time"][frames.which])
     each = range(count) if asked.character is None else [asked.character]
+    check_poses(len(time), len(each))
     kinds = [recording.cast(c)[0].character for c in range(count)]
     colours = colours_of(kinds, recording.meta.get("seed", 0))
     actors = [_actor(recording, c, frames.which, time, {name: rows[c : c + 1] for name, rows in colours.items()}) for c in each]

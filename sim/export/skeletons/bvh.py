@@ -1,8 +1,8 @@
 """BVH: skeleton and motion of one character in a file, as motion capture has it. Centimetres, y up, z forward.
 
 Rotations are Euler angles in the order Z Y X, degrees. BVH has rigid bones; ours give a little near full extension. Readers
-disagree on what the position of a joint means (added to its offset, or instead of it), so what a bone stretches is the position
-of a joint of its own, `shank_left_stretch`, whose offset is zero: there both are the same.
+disagree on what the position of a joint means (added to its offset, or instead of it), so a joint that moves has no offset,
+where both are the same: it hangs on a joint that only has the offset, as `shank_left` on `shank_left_socket`.
 """
 
 from io import StringIO
@@ -40,38 +40,38 @@ def bvh_of(actor: Actor, rate: float) -> str:
 
 def _write_joint(actor: Actor, b: int, depth: int, text: StringIO, channels: list[np.ndarray]) -> None:
     """A bone and those that hang on it; their channels, (F, n) each, go behind those that there are."""
-    skeleton, bones, pad = actor.skeleton, actor.bones, "  " * depth
-    given = _given(actor, b)
-    if given is not None:
-        text.write(f"{pad}JOINT {skeleton.names[b]}_stretch\n{pad}{{\n{pad}  OFFSET 0 0 0\n{pad}  CHANNELS 3 {POSITION}\n")
-        channels.append(SCALE * y_up(given))
-        depth, pad = depth + 1, pad + "  "
-    word = "JOINT" if depth else "ROOT"
-    offset = SCALE * y_up(skeleton.offset[b]) if depth else np.zeros(3)
-    text.write(f"{pad}{word} {skeleton.names[b]}\n{pad}{{\n{pad}  OFFSET {_plain(offset)}\n")
-    if depth:
-        text.write(f"{pad}  CHANNELS 3 {ROTATION}\n")
+    skeleton, bones = actor.skeleton, actor.bones
+    name, offset = skeleton.names[b], SCALE * y_up(skeleton.offset[b])
+    moves = SCALE * y_up(bones.root) if b == 0 else _given(actor, b)
+    socket = b > 0 and moves is not None
+    if socket:
+        _open(text, depth, f"JOINT {name}_socket", offset, ROTATION)
+        channels.append(np.zeros((len(bones.root), 3)))
+    if moves is not None:
+        _open(text, depth + socket, f"{'JOINT' if b else 'ROOT'} {name}", np.zeros(3), f"{POSITION} {ROTATION}")
+        channels.append(moves)
     else:
-        text.write(f"{pad}  CHANNELS 6 {POSITION} {ROTATION}\n")
-        channels.append(SCALE * y_up(bones.root))
+        _open(text, depth, f"JOINT {name}", offset, ROTATION)
     channels.append(euler_zyx(y_up_xyzw(bones.rotation_wxyz[:, b])))
-    below = np.flatnonzero(skeleton.parent == b)
+    pad, below = "  " * (depth + socket), np.flatnonzero(skeleton.parent == b)
     for child in below:
-        _write_joint(actor, int(child), depth + 1, text, channels)
+        _write_joint(actor, int(child), depth + socket + 1, text, channels)
     if not len(below):
         text.write(f"{pad}  End Site\n{pad}  {{\n{pad}    OFFSET {_plain(SCALE * y_up(skeleton.tip[b]))}\n{pad}  }}\n")
-    text.write(f"{pad}}}\n")
-    if given is not None:
-        text.write(f"{pad[:-2]}}}\n")
+    text.write(f"{pad}}}\n" + (f"{pad[:-2]}}}\n" if socket else ""))
+
+
+def _open(text: StringIO, depth: int, title: str, offset: np.ndarray, channels: str) -> None:
+    """Begins a joint."""
+    pad, count = "  " * depth, len(channels.split())
+    text.write(f"{pad}{title}\n{pad}{{\n{pad}  OFFSET {_plain(offset)}\n{pad}  CHANNELS {count} {channels}\n")
 
 
 def _given(actor: Actor, b: int) -> np.ndarray | None:
-    """(F, 3) by how much more the bone's head is away from its parent's than at rest [m], or None where that is nothing."""
+    """(F, 3) by how much more the bone's head is away from its parent's than at rest, in units; None where that is nothing."""
     above = actor.skeleton.parent[b]
-    if above < 0:
-        return None
     more = (actor.bones.stretch[:, above, None] - 1) * actor.skeleton.offset[b]
-    return more if np.abs(more).max() > LITTLE else None
+    return SCALE * y_up(more) if np.abs(more).max() > LITTLE else None
 
 
 def euler_zyx(xyzw: np.ndarray) -> np.ndarray:

@@ -132,8 +132,8 @@
 
   function look() {  // at whom is followed, from ahead and aside
     here.copy(actors[who].root.position);
-    const size = actors[who].leg;
-    controls.target.copy(here).y -= 0.1 * size;
+    const size = actors[who].leg * (actors.length > 1 ? 1.7 : 1);
+    controls.target.copy(here).y -= 0.35 * actors[who].leg;  // above the panel
     camera.position.copy(here).add(new THREE.Vector3(-2.7, 0.75, 2.9).multiplyScalar(size));
     last.copy(here);
   }

@@ -11,11 +11,14 @@ from sim.files.outputs import Part
 from sim.stage.cast import Cast
 from sim.stage.run import progress
 from sim.view.graphics.gl import NoGL
+from sim.view.graphics.quality import Quality
 from sim.view.pictures.offscreen import Picture
 from worlds.compiled import leaving
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
 
+QUALITY = Quality(1024, 4, 4)
+"""As the contact sheets: a larger map of shadows takes a tenth more of the time, and moving pictures do not show it."""
 RATE = 30
 """Frames per second of a film."""
 _H264 = (
@@ -58,7 +61,7 @@ class Film:
         self.sim, self.path = sim, path
         ffmpeg = ffmpeg_for(path)
         try:
-            self.picture = Picture(size)
+            self.picture = Picture(size, QUALITY)
         except NoGL as error:
             raise InputError(f"{path}: {error}") from None
         self._every, self._fault, self._frames = max(sim.tick_rate // RATE, 1), "", 0

@@ -18,11 +18,11 @@ QUICK = [
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
-    """A recording of two characters, and a state of the same run."""
+    """A recording of three characters, and a state of the same run."""
     folder = tmp_path_factory.mktemp("run")
     path = folder / "run.npz"
-    assert main.main(["wander", "--headless", "--seconds", "1", "--characters", "2", "--record", str(path), "--json"]) == 0
-    save(make_simulation("forest", "bird", 2, 0, False), folder / "state.npz")
+    assert main.main(["wander", "--headless", "--seconds", "1", "--characters", "3", "--record", str(path), "--json"]) == 0
+    save(make_simulation("forest", "bird", 3, 0, False), folder / "state.npz")
     return path
 
 
@@ -35,7 +35,7 @@ def test_each_format_of_a_recording(ending, run, tmp_path):
 
 def test_a_format_of_one_character_makes_a_file_for_each(run, tmp_path):
     assert main.main(["export", str(run), str(tmp_path / "out.bvh"), "--between", "0.2", "0.8"]) == 0
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["out_0.bvh", "out_1.bvh"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["out_0.bvh", "out_1.bvh", "out_2.bvh"]
     assert "Frames: 37\n" in (tmp_path / "out_0.bvh").read_text()
 
 
@@ -46,13 +46,14 @@ def test_a_state_goes_on_as_the_run_did(run, tmp_path):
 
 
 REFUSED = {
+    "an hour of moments": (["{state}", "{tmp}/out.glb", "--between", "0", "3600", "--fps", "240"], "poses are allowed"),
     "no such ending": (["{run}", "{tmp}/out.glbb"], "did you mean .glb?"),
     "fbx": (["{run}", "{tmp}/out.fbx"], "Blender makes an .fbx"),
     "no ending": (["{run}", "{tmp}/out"], "must end in .csv"),
     "no file": (["{tmp}/none.npz", "{tmp}/out.glb"], "no such file"),
     "no scene": (["sprimt", "{tmp}/out.glb"], "did you mean sprint?"),
     "no folder": (["{run}", "{tmp}/none/out.glb"], "does not exist"),
-    "no such character": (["{run}", "{tmp}/out.glb", "--character-index", "2"], "there are 2 characters"),
+    "no such character": (["{run}", "{tmp}/out.glb", "--character-index", "3"], "there are 3 characters"),
     "no such moments": (["{run}", "{tmp}/out.glb", "--fps", "50"], "no moment is made up"),
     "too many moments": (["{run}", "{tmp}/out.glb", "--fps", "1e9"], "1 to 240"),
     "not a number": (["{run}", "{tmp}/out.glb", "--fps", "nan"], "1 to 240"),
@@ -68,7 +69,8 @@ REFUSED = {
 @pytest.mark.parametrize("case", REFUSED)
 def test_what_cannot_be_is_refused_and_leaves_nothing(case, run, tmp_path, capsys):
     words, said = REFUSED[case]
-    assert main.main(["export", *(word.format(run=run, tmp=tmp_path) for word in words)]) == 2
+    state = run.with_name("state.npz")
+    assert main.main(["export", *(word.format(run=run, state=state, tmp=tmp_path) for word in words)]) == 2
     message = capsys.readouterr().err
     assert said in message and "Traceback" not in message and list(tmp_path.iterdir()) == []
 
