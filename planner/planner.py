@@ -6,6 +6,7 @@ them; they lay them on the ground, time them, make way for others and move the b
 planners by this file alone.
 """
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -64,7 +65,8 @@ class Planner(Protocol):
         """What the planner was made with, as plain JSON values: keyword arguments of its class."""
 
     # A planner that remembers may have check_plans(plans, characters), which raises ValueError for plans of a file that it has
-    # not made: wrong shapes, or numbers that it would index by.
+    # not made: wrong shapes, or numbers that it would index by; arrived(plans), which tells (C,) who has come to where it
+    # was to go, where not all fit onto the world's goal; and looks [m], how far its steps ask for others at least.
 
 
 def as_numbers(values: Any, what: str) -> np.ndarray:
@@ -91,7 +93,9 @@ def checked_starts(starts: Any, world: World, characters: list[Character]) -> np
             inside = f"0..{world.size[0]:g} by 0..{world.size[1]:g} is allowed"
             raise InputError(f"starts.{c} at ({x:g}, {y:g}): is outside the world; {inside}")
         if min(x, y, world.size[0] - x, world.size[1] - y, found[c, 1], found[c, 2]) < near:
-            _check_room(world, characters[c], f"starts.{c} at ({x:g}, {y:g})", places[c])
+            fault = fault_of_place(world, characters[c], places[c].tolist())
+            if fault:
+                raise InputError(f"starts.{c} at ({x:g}, {y:g}): {fault}")
     return places
 
 
@@ -104,20 +108,36 @@ def _doubtful(world: World, characters: list[Character]) -> float:
     return float(max([*soles, *(b.body.radius for b in bipeds)]))
 
 
-def _check_room(world: World, character: Character, said: str, start: np.ndarray) -> None:
-    """Raises InputError where a body does not fit, or a foot may not stand."""
-    biped, (x, y, heading) = character.biped, start.tolist()
+def fault_of_place(world: World, character: Character, place: Sequence[float]) -> str | None:
+    """Why a character cannot stand at a place x, y [m] with a heading [rad]: its body does not fit, or a foot; or None."""
+    biped, (x, y, heading) = character.biped, place
     room = min(queries.border_clearance(world.arrays, x, y), queries.tree_clearance(world.arrays, x, y))
     if room < biped.body.radius:
-        raise InputError(
-            f"{said}: no room for the body of the {character.name}: {room:.2f} m to the border or a tree, "
-            f"{biped.body.radius:g} m or more is needed"
-        )
+        near = f"{room:.2f} m to the border or a tree, {biped.body.radius:g} m or more is needed"
+        return f"no room for the body of the {character.name}: {near}"
     for side in (LEFT, RIGHT):
         why = why_not_stand(biped, world.arrays, *beside(biped, side, (x, y), heading), heading)
         if why != FINE:
-            raise InputError(f"{said}: the {SIDES[side]} foot of the {character.name} {WORDS[why]}")
+            return f"the {SIDES[side]} foot of the {character.name} {WORDS[why]}"
+    return None
 
 
-STAND_TIME = 0.5
-"""A standing character plans again after this time [s]."""
+def fault_of_goal(world: World, character: Character) -> str | None:
+    """Why a character cannot come to rest at the world's goal, whichever way it faces; None where it can, or there is none."""
+    if world.goal is None:
+        return None
+    way = np.subtract(world.goal, world.start)
+    ahead = float(np.arctan2(way[1], way[0]))
+    faults = [fault_of_place(world, character, (*world.goal, ahead + turn)) for turn in FACING]
+    return faults[0] if all(faults) else None
+
+
+def check_goal(world: World, character: Character) -> None:
+    """Raises InputError where a character cannot come to rest at the world's goal."""
+    fault = fault_of_goal(world, character)
+    if fault and world.goal is not None:
+        raise InputError(f"{world.name}: goal at ({world.goal[0]:g}, {world.goal[1]:g}): {fault}; move the goal")
+
+
+FACING = tuple(k * np.pi / 4 for k in range(8))
+"""Ways to face at a goal that are tried, off the straight way to it."""

@@ -67,6 +67,8 @@ def test_an_environment_of_somebody_else_is_left_alone(folder, capsys):
     [
         (["river", "--headless"], ["requirements"]),
         (["--video", "a.mp4"], ["requirements", "requirements-video"]),
+        (["export", "a.npz", "b.mp4"], ["requirements", "requirements-video"]),
+        (["export", "a.npz", "b.glb"], ["requirements"]),
         (["timing", "--plot", "a.png"], ["requirements", "requirements-plots"]),
         (["test", "-q"], list(main.LOCKS)),
     ],

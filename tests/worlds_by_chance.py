@@ -1,4 +1,7 @@
-"""Sensible worlds made by chance: nobody stands where no foot may. A large run: python -m tests.worlds_by_chance N [FIRST]"""
+"""Sensible worlds made by chance: nobody stands where no foot may, no knee jumps.
+
+A large run: python -m tests.worlds_by_chance N [FIRST]
+"""
 
 import sys
 from collections import Counter
@@ -18,6 +21,8 @@ from worlds.world import River, World
 
 CHARACTERS = ("human", "bird", "dinosaur", "ostrich")
 PLANNERS = ("wander", "walk", "river", "crowd")
+JUMP = 0.25
+"""No knee moves further against the body within a tick, in nominal legs."""
 TERRAINS = ("flat", "flat", "hills", "stairs", "heightmap")
 
 
@@ -53,15 +58,26 @@ def faults(k: int, seconds: float = 30.0) -> Counter:
     except (InputError, NoWay):
         return Counter(none=1)
     sim.keep_footprints()
+    found, leg, before = Counter(), float(who.biped.leg.nominal_length), _knees(sim)
     for _ in range(int(60 * seconds)):
         sim.tick()
-    prints, found = sim.walked().footprints, Counter()
+        knees = _knees(sim)
+        if np.linalg.norm(knees - before, axis=2).max() > JUMP * leg:
+            found[f"{kind} {who.name} {world.terrain}: a knee jumps"] += 1
+        before = knees
+    prints = sim.walked().footprints
     for n in range(len(prints.side)):
         (x, y), heading = prints.position[n, :2].tolist(), float(prints.heading[n])
         why = why_not_stand(who.biped, world.arrays, x, y, heading)
         if why != FINE and not (kind == "river" and prints.rock[n] >= 0):  # a long sole's corners on a small round rock
             found[f"{kind} {who.name} {world.terrain}: {WORDS[why]}"] += 1
     return found
+
+
+def _knees(sim: Simulation) -> np.ndarray:
+    """(C, 2, 3) of everyone, from their centres of mass [m]."""
+    pose = sim.snapshot()
+    return pose.knee - pose.com[:, None]
 
 
 def _planner(kind: str) -> object:

@@ -22,6 +22,7 @@ PLANS = ("human", "bird", "dinosaur")
 """Shapes that the view can give a body."""
 Colour = tuple[Annotated[float, Field(ge=0, le=1)], Annotated[float, Field(ge=0, le=1)], Annotated[float, Field(ge=0, le=1)]]
 Share = Annotated[float, Field(gt=0, le=5, allow_inf_nan=False)]
+Scale = Annotated[float, Field(ge=SCALES[0], le=SCALES[1], allow_inf_nan=False)]
 GREY = (0.7, 0.7, 0.7)
 
 
@@ -102,7 +103,7 @@ _File: Any = create_model(
     __config__=ConfigDict(extra="forbid", strict=True),
     format=(Literal[2], ...),
     name=(Annotated[str, Field(min_length=1, max_length=100)], ...),
-    scale=(Annotated[float, Field(ge=SCALES[0], le=SCALES[1], allow_inf_nan=False)], 1.0),
+    scale=(Scale, 1.0),
     **{name: (_limits(table), ...) for name, table in TABLES.items()},
     look=(Look, Look()),
 )  # type: ignore[call-overload]
@@ -113,8 +114,11 @@ def character_names() -> list[str]:
     return reading.names_in(CHARACTERS)
 
 
-def load_character(name_or_path: str | Path) -> Character:
-    """A shipped character by name, or any character file by path. Raises InputError naming every fault."""
+def load_character(name_or_path: str | Path, scale: float = 1.0) -> Character:
+    """A shipped character by name, or any character file by path, `scale` times as large as the file says.
+
+    Raises InputError naming every fault.
+    """
     path = reading.named_file(CHARACTERS, name_or_path, "character")
     needs = f"format, name, {', '.join(f'[{name}]' for name in TABLES)}"
     plain = reading.read_toml(path, "character", needs)
@@ -124,7 +128,7 @@ def load_character(name_or_path: str | Path) -> Character:
 
     def number(table: str, field: str) -> float:
         quantity = quantities_of(TABLES[table])[field]
-        return quantity.from_file(getattr(getattr(file, table), field + quantity.key), file.scale)
+        return quantity.from_file(getattr(getattr(file, table), field + quantity.key), file.scale * scale)
 
     character = Character(file.name, record_of(number), file.look)
     wrong = faults(character.biped)

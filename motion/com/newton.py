@@ -27,6 +27,7 @@ class Effort(NamedTuple):
     eps_last: float  # [m/s^2] small: the norm itself
     iterations: int  # at most, per stage
     tolerance: float  # a stage ends when the predicted decrease is below this share of E
+    hard: float = 0.4  # [m/s^2] a live window of a greater mean cost gets more: leaps, which are rare; walking stays below
 
 
 TIGHT = Effort(9, 3.0, 3e-4, 60, 1e-7)

@@ -25,8 +25,6 @@ SCENE = Layout(5, False, True)
 """Of tracks that are solved as a whole."""
 LAYOUTS = {"smooth": SCENE, "phase": Layout(10, False, False), "step": Layout(10, True, False)}
 """By name: several segments to a phase, with continuous forces; one to a phase; one to a step, as in the paper."""
-HARD = 0.4
-"""Mean cost [m/s^2] of a window above which it gets more effort: leaps, which are rare; walking stays below."""
 ANCHOR_STIFFNESS = (10.0, 1.0)
 """Of the window's end, position [1/s/m] and velocity [s/m]: more steadies the end, and insists on a foreseen state."""
 REST_STIFFNESS = (200.0, 60.0)
@@ -188,7 +186,7 @@ def optimise_window(
 @jit
 def _solve(problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float, int]:
     e, iterations = newton.minimise(problem, control, effort)
-    limit = HARD * (problem.time[-1] - problem.time[0])
+    limit = effort.hard * (problem.time[-1] - problem.time[0])
     if e > limit:
         e, more = newton.minimise(problem, control, newton.HARDER)
         iterations += more

@@ -21,13 +21,18 @@ def angles(frames: dict[str, np.ndarray], three_links: bool) -> dict[str, np.nda
     """Angle (F, 2) [rad] of each joint. frames: hip, knee, hock, ankle, heel, ball (F, 2, 3), body_rotation_wxyz (F, 4)."""
     thigh, shank = frames["knee"] - frames["hip"], frames["hock"] - frames["knee"]
     last = frames["ankle"] - frames["hock"] if three_links else shank
-    forward, _, up = axes_of(frames["body_rotation_wxyz"])
+    forward, left, up = axes_of(frames["body_rotation_wxyz"])
     out = {"hip": np.arctan2(np.einsum("fsk,fk->fs", thigh, forward), -np.einsum("fsk,fk->fs", thigh, up))}
     out["knee"] = _between(thigh, shank)
     if three_links:
         out["hock"] = _between(shank, last)
-    out["ankle"] = _between(last, frames["ball"] - frames["heel"])
+    out["ankle"] = _toward(last, frames["ball"] - frames["heel"], left)
     return out
+
+
+def _toward(u: np.ndarray, v: np.ndarray, left: np.ndarray) -> np.ndarray:
+    """Angle [rad] from u (F, 2, 3) to v, seen from the left (F, 3), forward of u: a foot may be stretched beyond straight."""
+    return np.arctan2(-np.einsum("fsk,fk->fs", np.cross(u, v), left), np.einsum("fsk,fsk->fs", u, v))
 
 
 def _between(u: np.ndarray, v: np.ndarray) -> np.ndarray:

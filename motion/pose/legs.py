@@ -92,8 +92,14 @@ def _knee_of_three(biped: Dimensions, hip: Triple, ankle: Triple, forward: Tripl
     wished = leg.femur + (1 - leg.femur_swing) * atan2(-p[2], -u[2])
     most = _thigh_angle(leg.thigh, d, STRAIGHT * (leg.shank + leg.metatarsus))
     least = _thigh_angle(leg.thigh, d, FOLDED * (leg.shank + leg.metatarsus))
-    angle = max(most - GRADUAL * log(1 + exp(min((most - wished) / GRADUAL, 50.0))), least)
+    angle = least + _above_zero(most - _above_zero(most - wished) - least)
     return _along(hip, leg.thigh, _between(u, p, cos(angle), sin(angle)))
+
+
+@jit_inline
+def _above_zero(x: float) -> float:
+    """max(x, 0), but smooth over GRADUAL."""
+    return GRADUAL * log(1 + exp(-abs(x) / GRADUAL)) + max(x, 0.0)
 
 
 @jit_borrowing

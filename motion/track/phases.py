@@ -12,6 +12,9 @@ from worlds.compiled.jit import jit, jit_borrowing
 LEFT_STANCE, RIGHT_STANCE, DOUBLE_STANCE, FLIGHT = 0, 1, 2, 3
 NAMES = ("left stance", "right stance", "double stance", "flight")
 """Phases in words, by their numbers."""
+COLOURS = {LEFT_STANCE: (0.92, 0.18, 0.85), RIGHT_STANCE: (0.90, 0.12, 0.12)}
+COLOURS |= {DOUBLE_STANCE: (0.10, 0.14, 0.55), FLIGHT: (0.55, 0.80, 0.98)}
+"""Red, green and blue in which the paper's figures draw each phase."""
 SHORTEST_PHASE = 1e-3
 """Phases shorter than this [s] are dropped: a sliver changes nothing one can see but makes the spline stiff."""
 

@@ -5,18 +5,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.arithmetic.angles import unwrapped
 from motion.characters.character import Character
-from motion.characters.dimensions import Dimensions
-from planner.planner import STAND_TIME, Situation, as_numbers
+from planner.planner import Situation, as_numbers
 from planner.round.kernel import Compiled
-from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing
-from planner.stepping import random
+from planner.round.round import PATIENT, Me, Round, Wish, biped_of
+from planner.stepping.arriving import arrive, walk_on
 from planner.stepping.beside import Place, middle_beside
 from planner.stepping.footing import surely
-from planner.stepping.steering import LOOK_STEPS, Onward, free_way, lengthened, step_toward
+from planner.stepping.steering import free_way
 from worlds import queries
-from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
 from worlds.errors import InputError
 from worlds.limits import LONGEST, number
@@ -24,8 +21,6 @@ from worlds.world import World
 
 THERE, CONTENT = 0.5, 0.25
 """A walker is at its last stop within this share of its preferred step, and more for every step that others hindered."""
-TOGETHER = 0.2
-"""Who has arrived brings its feet to within this share of its preferred step of being beside each other."""
 ABEAM = 0.7
 """Whom others hinder has passed a stop on the way once the cosine between its direction and the leg to it is below this."""
 
@@ -85,32 +80,6 @@ def _is_past(round: Round, me: Me, reached: int, middle: Place, abeam: float) ->
     return free_way(biped_of(round, me), round.world, x, y, atan2(dy, dx), margin, far) >= far
 
 
-@jit_borrowing
-def walk_on(
-    biped: Dimensions, world: WorldArrays, middle: Place, heading: float, stop: np.ndarray, seed: int, who: tuple[int, int]
-) -> Onward:
-    """A step of the walker whose middle is there on its way to stop (2,), not beyond it; who: character and step."""
-    (x, y), (character, step) = middle, who
-    dx, dy = stop[0] - x, stop[1] - y
-    far = hypot(dx, dy)
-    right_first = random.uniform(seed, character, 0, random.SIDE) < 0.5
-    look = min(biped.gait.preferred_step * LOOK_STEPS, far)
-    on = step_toward(biped, world, middle, heading, unwrapped(atan2(dy, dx), heading), look, right_first)
-    share = random.near_one(seed, character, step, biped.gait.variation)
-    return lengthened(on, middle, min(far / max(hypot(on.x - x, on.y - y), 1e-9), share))
-
-
-@jit_borrowing
-def _arrive(round: Round, me: Me, middle: Place) -> Wish:
-    """At the last stop: the foot behind comes beside the other one, and then it stands."""
-    biped, older, newer = biped_of(round, me), me.feet.older, me.feet.newer
-    x, y = middle_beside(biped, older)
-    if older.side != newer.side and hypot(x - middle[0], y - middle[1]) > TOGETHER * biped.gait.preferred_step:
-        return surely(round, me, middle, newer.heading, newer.heading, False)
-    still = standing(me, STAND_TIME)
-    return Wish(still.step, still.course, still.longest, True, True)
-
-
 def _next_step(round: Round, me: Me) -> Wish:
     """The next step to the stop that comes next; a stop that was come to counts as reached once a real step is planned."""
     biped, foot, plans = biped_of(round, me), me.feet.newer, round.plans
@@ -120,8 +89,9 @@ def _next_step(round: Round, me: Me) -> Wish:
         plans.reached[me.c] = reached
     there = is_there(round, me, reached, middle)
     if there and is_last_stop(plans, me.c, reached):
-        return _arrive(round, me, middle)
-    stop = plans.stops[me.c, stop_of(plans, me.c, reached + there)]
+        return arrive(round, me, middle)
+    k = stop_of(plans, me.c, reached + there)
+    stop = (plans.stops[me.c, k, 0], plans.stops[me.c, k, 1])
     on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, (me.c, me.number))
     return surely(round, me, (on.x, on.y), on.heading, on.course, True)
 

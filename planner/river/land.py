@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
 from planner.stepping.footing import is_steep
 from planner.stepping.strides import along
@@ -18,6 +19,8 @@ from worlds.world import World
 Place = tuple[float, float]
 NEAR = 1.5
 """A point belongs to the free cell nearest to it, within this distance [m]."""
+MARGIN = 0.08
+"""Kept beyond the body's radius [m]."""
 SPACING = 0.4
 """Edge of a cell [m]: smaller finds narrower ways and takes longer."""
 
@@ -130,6 +133,11 @@ class Land:
             return None
         distance, parent = _dijkstra(self.world.arrays, self.ground, source[0], source[1])
         return Ways(self, (x, y), distance * SPACING, parent)
+
+
+def land_for(world: World, character: Character) -> Land:
+    """Where a character can walk. Raises InputError for a world too large."""
+    return Land.of(world, character.biped, float(character.biped.body.radius) + MARGIN)
 
 
 @dataclass

@@ -1,82 +1,93 @@
 """The planner of river crossers: a route for everyone, found once and again whenever the world or goal changes."""
 
-from typing import Any, NamedTuple
-
 import numpy as np
 
 from motion.characters.character import Character
-from motion.track.footprints import STEP, Step, step_in
-from planner.planner import STAND_TIME, Situation
-from planner.river.route import route
-from planner.round.kernel import Compiled
-from planner.round.round import UNHURRIED, Me, Round, Wish, standing
+from motion.track.footprints import STEP, Footprints, Step
+from planner.planner import Situation, check_goal
+from planner.river import berths
+from planner.river.crossing import Country
+from planner.river.queueing import PLANNING, Routes, ashore_of, empty_routes, stops_of
+from planner.river.route import path_over_land, route
+from planner.river.search import State
+from worlds.compiled.tables import picked
 from worlds.errors import InputError
 from worlds.world import World
 
 MOST = 500
-"""Who starts in one place plans after all the others there: the time for it grows with the square of their number."""
-
-
-class Routes(NamedTuple):
-    """The routes of C characters."""
-
-    begin: np.ndarray  # (C,) number of the step that is the route's first
-    length: np.ndarray  # (C,)
-    steps: Any  # (C, R) records of STEP
-
-
-def _next_step(round: Round, me: Me) -> Wish:
-    """The route's next step; before it and after it, standing."""
-    plans, k = round.plans, me.number - round.plans.begin[me.c]
-    if k < 0 or k >= plans.length[me.c]:
-        return standing(me, STAND_TIME)
-    step = step_in(plans.steps[me.c, k])
-    return Wish(step, step.heading, UNHURRIED, False, False)
-
-
-def _empty_routes(characters: int, steps: int) -> Routes:
-    return Routes(np.zeros(characters, np.int64), np.zeros(characters, np.int64), np.zeros((characters, steps), STEP))
-
-
-_PLANNING = Compiled(_next_step, _empty_routes(1, 1))
+"""More than that find no room on a bank, and a route is looked for for each of them."""
 
 
 class RockHop:
-    """Everyone crosses to the world's goal, on its rocks where there is water."""
+    """Everyone crosses to the world's goal, on its rocks where there is water, one behind the other where that is narrow."""
 
     name = "RockHop"
-    planning = _PLANNING
+    planning = PLANNING
+    looks = 12.0
+    """So far lie the ends of most leaps in a row [m]."""
 
     def starts(self, world: World, characters: list[Character], seed: int) -> np.ndarray:
-        """(C, 3) x, y, heading: all at the world's start. Raises InputError for too many."""
+        """(C, 3) x, y, heading: the first at the world's start, the others apart behind it. Raises InputError for too many."""
         if len(characters) > MOST:
             raise InputError(f"{len(characters)} characters: at most {MOST} cross from one start")
-        return np.array([(*world.start, world.start_heading)] * len(characters), np.float64)
+        return berths.starts(world, characters)
 
     def prepare(self, situation: Situation) -> Routes:
-        """A route for each. Raises NoWay."""
-        feet, characters = situation.feet, situation.characters
-        alike: dict[tuple, list[Step]] = {}  # those who are alike, and stand in one place, go one way
+        """A route for each. Raises NoWay, InputError for a goal where nobody can stand."""
+        world, characters = situation.world, situation.characters
+        kinds = {id(one.biped): one for one in characters}
+        for kind in kinds.values():
+            check_goal(world, kind)
+        ends = self._ends(situation)
+        goals = [world.goal or world.start, *((float(x), float(y)) for x, y in ends)]
+        countries = {key: Country(world, kind, goals) for key, kind in kinds.items()}
+        paths = self._paths(situation, countries)
         found = []
         for c, character in enumerate(characters):
-            mine = type(feet)(*(column[c] for column in feet))
-            key = (id(character.biped), *(column.tobytes() for column in (mine.side, mine.position, mine.heading, mine.rock)))
-            if key not in alike:
-                alike[key] = route(situation.world, character, mine)
-            found.append(alike[key])
-        plans = _empty_routes(len(characters), max(len(steps) for steps in found))
+            feet, key = picked(situation.feet, c), id(character.biped)
+            place = (float(ends[c, 0]), float(ends[c, 1]))
+            found.append([*_under(feet), *route(countries[key], feet, place, paths.get(key))])
+        plans = empty_routes(len(characters), max(len(steps) for steps in found))._replace(ends=ends)
+        plans.goal[:] = world.goal or world.start
         for c, steps in enumerate(found):
             plans.steps[c, : len(steps)] = np.array(steps, STEP)
-            plans.length[c], plans.begin[c] = len(steps), situation.number[c]
+            plans.length[c], plans.stops[c, : len(steps)] = len(steps), stops_of(steps, characters[c].biped)
+            plans.ashore[c] = ashore_of(world, steps)
         return plans
+
+    def _paths(self, situation: Situation, countries: dict[int, Country]) -> dict[int, list[State]]:
+        """Those who begin together cross in one file, the way of the first of their kind. Raises NoWay."""
+        if situation.before is not None or len(situation.characters) == 1:
+            return {}
+        world = situation.world
+        return {key: path_over_land(country, world.start, world.goal or world.start) for key, country in countries.items()}
+
+    def _ends(self, situation: Situation) -> np.ndarray:
+        """(C, 2) where each comes to rest: where it was to before, unless the goal is another one."""
+        world, before = situation.world, situation.before
+        goal = world.goal or world.start
+        if before is not None and (before.goal == goal).all():
+            return before.ends
+        return berths.ends(world, situation.characters, goal)
+
+    def arrived(self, plans: Routes) -> np.ndarray:
+        """(C,) whether each is at the end of its route."""
+        return plans.at >= plans.length - 1
 
     def check_plans(self, plans: Routes, characters: int) -> None:
         """Whether plans from a file are routes: rounds check their steps, one by one. Raises ValueError."""
-        if not (0 <= plans.length.min() <= plans.length.max() <= plans.steps.shape[1] and plans.begin.min() >= 0):
+        rows = plans.steps.shape[1]
+        if plans.stops.shape != plans.steps.shape or not 2 <= plans.length.min() <= plans.length.max() <= rows:
             raise ValueError("plans: routes longer than their steps")
-        if plans.begin.max() > 2**53:
-            raise ValueError("plans: routes that never begin")
+        if (plans.ashore < 1).any() or (plans.at < 1).any() or (plans.at >= plans.length).any():
+            raise ValueError("plans: beyond the ends of routes")
 
     def values(self) -> dict:
         """It is made of nothing."""
         return {}
+
+
+def _under(feet: Footprints) -> list[Step]:
+    """The two footprints (2,) that a route begins on."""
+    places = zip(feet.side.tolist(), feet.position.tolist(), feet.heading.tolist(), strict=True)
+    return [Step(side, x, y, heading) for side, (x, y, _), heading in places]

@@ -5,155 +5,47 @@ way; over water it steps from spot to spot. The state holds the spot before, so 
 the straight distance at the fastest speed any move has, so the first route found costs least.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from motion.arithmetic.angles import wrapped
-from motion.characters.character import Character
-from motion.track.footprints import Foot, Footprints, Step
+from motion.characters.dimensions import Dimensions
+from motion.track.footprints import RIGHT, Foot, Footprints, Step
 from planner.planner import NoWay
-from planner.river import search
-from planner.river.land import Land, Ways
+from planner.river.crossing import GOAL, START, Country, Crossing
 from planner.river.search import State
-from planner.river.spots import Spots
 from planner.stepping import footing, strides
 from planner.stepping.beside import Place, middle_of
 from worlds import queries
-from worlds.world import World
 
-START, GOAL = -1, -2
-MARGIN = 0.08
 STRIDES = (1.0, 0.75, 0.55, 0.4)
 """Steps over land in preferred ones: as long as the ground allows."""
-MOST_BANKS = 2000
-"""Places along the banks among which the narrowest gap is looked for."""
+TURNS = 12
+"""At most so many steps turn one on a rock."""
+HOP_TURN = 1.5
+"""How fast one turns who hops where it stands [rad/s]."""
 
 
-@dataclass
-class Crossing:
-    """What a search works on: one character that is to cross a world."""
-
-    world: World
-    character: Character
-    source: Place  # the walker's middle
-    on_spot: int  # spot it stands on, START on land
-    foot: int  # the foot that stands foremost
-
-    def __post_init__(self) -> None:
-        self.spots = Spots.of(self.world, self.character)
-        self.land = Land.of(self.world, self.character.biped, float(self.character.biped.body.radius) + MARGIN)
-        self.ways: dict[int, Ways | None] = {}
-        self.goal = self.world.goal or self.source
-
-    def ways_from(self, spot: int) -> Ways | None:
-        """Ways over land from a bank spot, or from the start."""
-        if spot not in self.ways:
-            place = self.source if spot == START else tuple(self.spots.place[spot, :2])
-            self.ways[spot] = self.land.ways_from(*place)
-        return self.ways[spot]
-
-    def _walks(self) -> np.ndarray:
-        """(K + 1, K + 1) seconds over land between bank spots; the last row is the start, the last column the goal."""
-        k = len(self.spots.rock)
-        banks = np.flatnonzero(self.spots.rock < 0)
-        cells = [self.land.cell(*place[:2]) for place in self.spots.place[banks]]
-        goal = self.land.cell(*self.goal)
-        pace = float(search.slowest_pace(self.character.biped))
-        seconds = np.full((k + 1, k + 1), np.inf)
-        for i in [*banks, START]:
-            ways = self.ways_from(int(i))
-            if ways is not None:
-                seconds[i, [*banks, k]] = ways.lengths([*cells, goal]) * pace
-        return seconds
-
-    def run(self) -> list[State]:
-        """States from first to goal. Raises NoWay."""
-        place = np.vstack([self.spots.place, [(*self.source, 0.0), (*self.goal, 0.0)]])
-        k = len(self.spots.rock)
-        spots = search.Spots(place, self.spots.rock, self._walks())
-        states, reached = search.find(self.character.biped, spots, self.on_spot if self.on_spot >= 0 else k, self.foot)
-        if not len(states):
-            raise self._no_way(set(np.flatnonzero(reached[:-2]).tolist()))
-        name = {k: START, k + 1: GOAL}
-        return [State(name.get(s, s), -1 if p == k else p, f, a) for s, p, f, a in states.tolist()]
-
-    def _no_way(self, reached: set[int]) -> NoWay:
-        """Names the narrowest gap between what was reached and what was not."""
-        reach, name = self.character.biped.reach, self.character.name
-        spots, rocks = self.spots.place, self.spots.rock
-        here, rest = sorted(reached), [j for j in range(len(rocks)) if j not in reached]
-        same = rocks[here][:, None] == rocks[rest][None, :] if here and rest else np.zeros((len(here), len(rest)), bool)
-        found = _nearest(spots[here], spots[rest], same)
-        if found is None or np.isinf(found[2]):
-            return self._no_crossing()
-        i, j, distance = found
-        a, z = here[i], rest[j]
-        gap = {
-            "from": self.called(a), "to": self.called(z), "distance": distance,
-            "rise": float(spots[z, 2] - spots[a, 2]), "reach": float(reach.max_leap),
-        }  # fmt: skip
-        return NoWay(
-            f"{self.world.name}: no way across for the {name}: the gap from {gap['from']} to {gap['to']} is "
-            f"{gap['distance']:.2f} m (rise {gap['rise']:+.2f} m); the {name} steps {reach.max_step:.2f} m, leaps "
-            f"{reach.max_leap:.2f} m, climbs {reach.max_rise:.2f} m",
-            gap,
-        )
-
-    def _no_crossing(self) -> NoWay:
-        """No step leads over the water at all: names where it is narrowest."""
-        reach, name, banks = self.character.biped.reach, self.character.name, self.spots.banks
-        banks, ways = banks[:: max(len(banks) // MOST_BANKS, 1)], self.ways_from(START)
-        cells = [self.land.cell(*place[:2]) for place in banks]
-        mine = np.isfinite(ways.lengths(cells)) if ways else np.zeros(len(banks), bool)
-        found = _nearest(banks[mine], banks[~mine], np.zeros((mine.sum(), (~mine).sum()), bool))
-        if found is None:
-            return NoWay(f"{self.world.name}: no way over land for the {name} to the goal: trees, slopes or the border bar it")
-        a, z = banks[mine][found[0]], banks[~mine][found[1]]
-        gap = {
-            "from": _bank(a),
-            "to": _bank(z),
-            "distance": found[2],
-            "rise": float(z[2] - a[2]),
-            "reach": float(reach.max_leap),
-        }
-        return NoWay(
-            f"{self.world.name}: no way across for the {name}: the water is {found[2]:.2f} m wide from {gap['from']} to "
-            f"{gap['to']}, where it is narrowest, with no rock in reach; the {name} leaps {reach.max_leap:.2f} m",
-            gap,
-        )
-
-    def called(self, spot: int) -> str:
-        """A spot in words."""
-        x, y = self.spots.place[spot, :2]
-        rock = self.spots.rock[spot]
-        return f"rock {rock} at ({x:.2f}, {y:.2f})" if rock >= 0 else _bank(self.spots.place[spot])
+def path_over_land(country: Country, place: Place, goal: Place) -> list[State]:
+    """States of the search from a place on land, on the right foot, to a goal. Raises NoWay."""
+    return Crossing(country, place, START, RIGHT, goal).run()
 
 
-def _bank(place: np.ndarray) -> str:
-    return f"the bank at ({place[0]:.2f}, {place[1]:.2f})"
+def route(country: Country, feet: Footprints, goal: Place, path: list[State] | None = None) -> list[Step]:
+    """Steps to the goal, where both feet end, after the two footprints (2,) that the character stands on. Raises NoWay.
 
-
-def _nearest(here: np.ndarray, there: np.ndarray, never: np.ndarray) -> tuple[int, int, float] | None:
-    """Which of these places (N, 3) and those (M, 3) are nearest to each other, and how far [m], but for some pairs (N, M)."""
-    if not len(here) or not len(there):
-        return None
-    d = np.hypot(here[:, None, 0] - there[None, :, 0], here[:, None, 1] - there[None, :, 1])
-    d[never] = np.inf
-    i, j = np.unravel_index(int(d.argmin()), d.shape)
-    return int(i), int(j), float(d[i, j])
-
-
-def route(world: World, character: Character, feet: Footprints) -> list[Step]:
-    """Steps to the goal, where both feet end, after the two footprints (2,) that the character stands on. Raises NoWay."""
+    path: states that somebody else found, of the same country, to go along from where one is.
+    """
+    character = country.character
     side, place, heading = int(feet.side[1]), feet.position[1], float(feet.heading[1])
     at = (float(place[0]), float(place[1]))
-    crossing = Crossing(world, character, middle_of(character.biped, side, at, heading), START, side)
+    crossing = Crossing(country, middle_of(character.biped, side, at, heading), START, side, goal)
     if feet.rock[1] >= 0 and len(crossing.spots.rock):
         offsets = crossing.spots.place[:, :2] - at
         crossing.on_spot = int(np.hypot(*offsets.T).argmin())
     steps = [Step(side, *at, heading)]
-    path = crossing.run()
+    path = path or crossing.run()
+    if crossing.on_spot >= 0:
+        steps, path = _facing_ahead(crossing, steps, path)
     for before, state in zip(path, path[1:], strict=False):
         _append_move(crossing, before, state, steps)
     last = steps[-1]
@@ -161,6 +53,33 @@ def route(world: World, character: Character, feet: Footprints) -> list[Step]:
     steps.append(strides.step_beside(character.biped, 1 - last.side, middle, last.heading))
     _keep_standing(crossing, steps)
     return steps[1:]
+
+
+def _facing_ahead(crossing: Crossing, steps: list[Step], path: list[State]) -> tuple[list[Step], list[State]]:
+    """Steps on the rock where one stands until one faces where the path leads: nobody leaps backward. Raises NoWay."""
+    most = float(crossing.character.biped.reach.max_turn)
+    for _ in range(TURNS):
+        last, target = steps[-1], path[1]
+        x, y = crossing.goal if target.spot == GOAL else crossing.spots.place[target.spot, :2].tolist()
+        turn = wrapped(float(np.arctan2(y - last.y, x - last.x)) - last.heading)
+        if abs(turn) <= most:
+            break
+        steps.append(_turned(crossing, last, float(np.clip(turn, -most, most))))
+        if steps[-1].side != crossing.foot:  # the way may be another one from the other foot
+            crossing.foot = steps[-1].side
+            path = crossing.run()
+    return steps, path
+
+
+def _turned(crossing: Crossing, last: Step, turn: float) -> Step:
+    """A turn on a rock: the other foot comes beside, or where there is no room for it, a hop where one stands."""
+    biped, rocks = crossing.character.biped, crossing.world.arrays.rocks
+    middle = middle_of(biped, last.side, (last.x, last.y), last.heading)
+    beside = strides.step_beside(biped, 1 - last.side, middle, last.heading + turn)
+    x, y, radius, _ = rocks[crossing.spots.rock[crossing.on_spot]]
+    if np.hypot(beside.x - x, beside.y - y) <= radius - 0.5 * biped.foot.length - 0.01:
+        return beside
+    return Step(last.side, last.x, last.y, last.heading + turn, time=abs(turn) / HOP_TURN)
 
 
 def _keep_standing(crossing: Crossing, steps: list[Step]) -> None:
@@ -195,11 +114,26 @@ def _append_move(crossing: Crossing, before: State, state: State, steps: list[St
             steps[-1] = steps[-1]._replace(x=target[0], y=target[1])
     else:
         x, y = crossing.spots.place[state.spot, :2].tolist()
+        if not before.arrived:  # it was walked to, and lies along the bank
+            steps += _turns(biped, last, float(np.arctan2(y - last.y, x - last.x)))
         steps.append(Step(state.foot, x, y, np.nan))
         i = len(steps) - 1
         if before.before >= 0:
             _face(steps, i - 1, i - 2, i)
         _face(steps, i, max(i - 2, 0) if before.before >= 0 else i - 1, i)
+
+
+def _turns(biped: Dimensions, last: Step, ahead: float) -> list[Step]:
+    """Steps on the spot until a step toward `ahead` [rad] turns no further than one may; they end on the same foot again."""
+    turn, most, steps = wrapped(ahead - last.heading), float(biped.reach.max_turn), []
+    pairs = int(np.ceil(max(abs(turn) - most, 0.0) / (2 * most)))
+    for _ in range(pairs):
+        each = np.copysign((abs(turn) - most) / (2 * pairs), turn)
+        heading = last.heading + each
+        middle = middle_of(biped, last.side, (last.x, last.y), heading)
+        last = last._replace(heading=heading + each)
+        steps += [strides.step_beside(biped, 1 - last.side, middle, heading), last]
+    return steps
 
 
 def _walked(crossing: Crossing, line: np.ndarray, last: Step, wanted: int | None) -> list[Step]:

@@ -19,6 +19,8 @@ from worlds.compiled.jit import jit
 
 SHARPEST = 2.2
 """Largest angle between two steps in a row, in units of the character's max_turn: headings turn by half of it."""
+LONG, LONG_TURN = 1.3, 1.3
+"""The same after a step that is longer than this share of the preferred one: who leaps does not turn much."""
 LEAP_EFFORT, HOP_EFFORT, TURN_EFFORT, CLIMB_EFFORT, CROSSING_EFFORT = 0.6, 0.4, 0.3, 0.8, 1.5
 """Seconds that effort is worth: a leap; a hop on one side; a radian of turn; a climb of the hip's height; a foot crossed by
 a preferred step."""
@@ -102,7 +104,8 @@ def directed_cost(biped: Dimensions, place: np.ndarray, before: int, i: int, j: 
     ahead = atan2(dy, dx)
     came = atan2(place[i, 1] - place[before, 1], place[i, 0] - place[before, 0]) if before >= 0 else ahead
     turned = wrapped(ahead - came)
-    if abs(turned) > (3.0 if length < 0.6 * stride else SHARPEST * biped.reach.max_turn):
+    sharpest = LONG_TURN if length > LONG * stride else SHARPEST
+    if abs(turned) > (3.0 if length < 0.6 * stride else sharpest * biped.reach.max_turn):
         return np.inf
     across = length * sin(turned)
     crossed = 0.0 if hop else max(across if foot == LEFT else -across, 0.0)

@@ -56,10 +56,13 @@ class Intents(NamedTuple):
     hindered: Integers  # (C,) steps that others kept from getting on
 
 
-def empty_reservations(bipeds: Any, kind: np.ndarray, size: tuple[float, float]) -> Reservations:
-    """Nothing held yet, by characters of these kinds (C,), rows of `bipeds`, in a world of this size [m]."""
+def empty_reservations(bipeds: Any, kind: np.ndarray, size: tuple[float, float], looks: float = 0.0) -> Reservations:
+    """Nothing held yet, by characters of these kinds (C,), rows of `bipeds`, in a world of this size [m].
+
+    looks: at least so far they look for others [m].
+    """
     c = len(kind)
-    reach = float((2 * bipeds["body"]["radius"] + STRIDES * bipeds["gait"]["preferred_step"]).max())
+    reach = max(float((2 * bipeds["body"]["radius"] + STRIDES * bipeds["gait"]["preferred_step"]).max()), looks)
     edge = max(reach, float(np.sqrt(size[0] * size[1] / (4 * c + 64))))
     columns, rows = (int(extent / edge) + 1 for extent in size)
     return Reservations(
@@ -152,7 +155,7 @@ def place_on_path(held: Reservations, j: int, time: float, last: int) -> tuple[f
 
 
 @jit_borrowing
-def _nearest(px: float, py: float, qx: float, qy: float) -> float:
+def line_distance(px: float, py: float, qx: float, qy: float) -> float:
     """Distance of the origin from the line between two points."""
     dx, dy = qx - px, qy - py
     length2 = dx * dx + dy * dy
@@ -174,7 +177,7 @@ def least_distance(held: Reservations, j: int, x0: float, y0: float, t0: float, 
         s = min((until - t0) / (t1 - t0), 1.0)
         jx, jy = place_on_path(held, j, until, rest)
         qx, qy = jx - x0 - s * (x1 - x0), jy - y0 - s * (y1 - y0)
-        least = min(least, _nearest(px, py, qx, qy))
+        least = min(least, line_distance(px, py, qx, qy))
         px, py, t = qx, qy, until
     return least
 

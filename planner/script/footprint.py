@@ -22,3 +22,4 @@ class Footprint(Part):
     stand: Pause = 0.0  # both feet stay this long, once this one has landed
     crouch: Crouch = 1.0  # share of the nominal leg length
     facing_deg: Finite = 0.0  # the body turns away from the feet
+    inferred: bool = False  # nobody has seen it: it was put where a missing one must have been

@@ -7,9 +7,9 @@ import numpy as np
 from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import SIDES, STEP, Footprints, Step, step_in
-from planner.planner import STAND_TIME
 from planner.round.round import UNHURRIED, Wish
 from planner.script.footprint import Footprint
+from planner.stepping.arriving import STAND_TIME
 from planner.stepping.placing import lay_swing
 from planner.stepping.taking import stand_at, take_step
 from worlds.arrays import WorldArrays, no_world

@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import model_validator
 
-from motion.characters.character import Character
+from motion.characters.character import Character, Scale
 from planner.script.footprint import Footprint, Pause
 from planner.script.path import Path, footprints_along
 from worlds import ground, reading
@@ -22,6 +22,7 @@ class _Scene(Ground):
     about: str = ""
     figure: str = ""
     character: str = "human"
+    character_scale: Scale = 1.0  # how much larger it is than its file says
     stand_before: Pause = 0.4
     stand_after: Pause = 0.6
     support: Literal["roll", "middle", "toe"] = "roll"  # where a standing foot presses: heel to toe, or the paper's either-or
@@ -49,6 +50,7 @@ class Scene:
     footprints: tuple[Footprint, ...] = ()  # or a path
     path: Path | None = None
     character: str = "human"
+    character_scale: float = 1.0
     stand_before: float = 0.4
     stand_after: float = 0.6
     support: str = "roll"
@@ -61,7 +63,7 @@ class Scene:
         return list(self.footprints) if self.path is None else footprints_along(self.path, character)
 
 
-_PLAIN = ("name", "about", "figure", "character", "stand_before", "stand_after", "support", "segments")
+_PLAIN = ("name", "about", "figure", "character", "character_scale", "stand_before", "stand_after", "support", "segments")
 
 
 def scene_names() -> list[str]:

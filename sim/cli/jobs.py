@@ -14,10 +14,14 @@ COMMANDS = {
     "play": "scenes.play",
     "sheets": "scenes.sheets",
     "check": "scenes.check",
+    "export": "exporting.export",
     "measure": "reporting.measured_run",
     "timing": "reporting.timing",
     "literature": "reporting.people",
     "bench": "reporting.bench",
+    "batch": "batching.batch",
+    "import-trackway": "imports.trackway",
+    "import-trajectories": "imports.trajectories",
 }
 
 

@@ -3,11 +3,15 @@
 import argparse
 import difflib
 import re
+from pathlib import Path
 from typing import Any, NoReturn
 
 from sim import VERSION
+from sim.export.endings import FILMS, FORMATS
 
 ABOUT = "Footfall: footprints in, living motion out."
+TRAJECTORIES = ("jupedsim", "pedpy", "vadere", "obsmat", "plain")
+"""Files of trajectories, as sim.files.imports.trajectories.formats has them."""
 DEFAULTS: dict[str, dict[str, Any]] = {
     "wander": {"level": "forest", "character": "bird", "characters": 1, "seed": 0},
     "river": {"level": "river_easy", "character": "bird", "characters": 1, "seed": 0},
@@ -45,6 +49,9 @@ def parsed(arguments: list[str]) -> argparse.Namespace:
     if unknown:
         _command_of(top, options.command).error(f"unrecognized arguments: {' '.join(unknown)}")
     defaults = DEFAULTS.get(options.command, {})
+    if options.command == "export":
+        film = Path(options.out).suffix.lower() in FILMS
+        options.video = options.out if film else None
     options.given = {name for name in defaults if getattr(options, name) is not None}
     for name in defaults.keys() - options.given:
         setattr(options, name, defaults[name])
@@ -70,6 +77,9 @@ def parser() -> argparse.ArgumentParser:
     commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
     _add_runs(commands)
     _add_reports(commands)
+    _add_imports(commands)
+    _add_batch(commands)
+    _add_doors(commands)
     commands.add_parser("test", help="run the tests, in a checkout; further arguments go to pytest")
     return top
 
@@ -120,10 +130,67 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     bench.add_argument("--plot", metavar="OUT.png", help="draw how crowds keep real time, and what a step costs")
 
 
+def _add_imports(commands: argparse._SubParsersAction) -> None:
+    """Commands that bring in what others have measured."""
+    prints = commands.add_parser("import-trackway", help="make a scene of a trackway: prints of a .tps or .csv file")
+    prints.add_argument("file", metavar="FILE")
+    prints.add_argument("--scale", type=_length, metavar="M", help="metres in a pixel or unit of the file (a .csv's own: 1)")
+    prints.add_argument("--hip-height", type=_length, nargs="+", required=True, metavar="H", help="metres; one, or one each")
+    prints.add_argument("--trackway", type=_index, metavar="K", help="only this one, from 1; else all, in one world")
+    prints.add_argument("--first-side", choices=("left", "right"), nargs="+", default=["left"], help="one, or one each")
+    prints.add_argument("--character", default="dinosaur", help="who walks, scaled to the hip height")
+    prints.add_argument("--speed", choices=("ruiz", "alexander"), default="ruiz", help="the law of the speed")
+    prints.add_argument("--out", required=True, metavar="SCENE.toml", help="several get numbers: SCENE.1.toml ...")
+    prints.add_argument("--json", action="store_true", help="print the report as JSON")
+    people = commands.add_parser("import-trajectories", help="let people walk where a file says that they were")
+    people.add_argument("file", metavar="FILE")
+    people.add_argument("--format", choices=TRAJECTORIES, help="by default as the file looks")
+    people.add_argument("--fps", type=_length, help="frames a second, where the file does not say")
+    people.add_argument("--between", type=float, nargs=2, metavar=("T0", "T1"), help="only these seconds of the file")
+    people.add_argument("--character", default="human", help="bird, dinosaur, human, ostrich, or a .toml file")
+    _shown(people)
+    people.set_defaults(save=None, restore=None, seed=0, characters=1)
+
+
+def _add_batch(commands: argparse._SubParsersAction) -> None:
+    """Many runs at once."""
+    batch = commands.add_parser("batch", help="simulate many levels and seeds, measured in one table; killed, it goes on")
+    batch.add_argument("--level", nargs="+", required=True, help="levels that ship, or .toml files")
+    batch.add_argument("--seeds", type=_seeds, required=True, metavar="A:B", help="from A on, up to but not B")
+    batch.add_argument("--out", required=True, metavar="DIR", help="where shards and table are, and where to go on")
+    batch.add_argument("--task", choices=("wander", "river"), default="wander", help="wander about, or cross to the goal")
+    batch.add_argument("--character", default="bird", help="bird, dinosaur, human, ostrich, or a .toml file")
+    batch.add_argument("--characters", type=_positive, default=1, metavar="N", help="how many in each run")
+    batch.add_argument("--seconds", type=_seconds, default=20.0, metavar="T", help="simulated seconds of each run")
+    batch.add_argument("--jobs", type=_positive, metavar="J", help="processes; by default one for each processor")
+    batch.add_argument("--engine", choices=("processes", "ray"), default="processes", help="this machine, or a Ray cluster")
+    batch.add_argument("--json", action="store_true", help="print what came of it as JSON")
+
+
+def _add_doors(commands: argparse._SubParsersAction) -> None:
+    """Commands that let motion out to other programs."""
+    export = commands.add_parser(
+        "export", help="motion for other programs: " + ", ".join(FORMATS), formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog="kinds of files:\n" + "\n".join(f"  {ending:10}{form.about}" for ending, form in FORMATS.items()),
+    )  # fmt: skip
+    export.add_argument("source", metavar="RUN.npz|STATE.npz|SCENE", help="a recording, a saved state, or a scene")
+    export.add_argument("out", metavar="OUT", help="its ending says what is made")
+    export.add_argument("--character-index", type=_index, metavar="C", help="only this one, from 0")
+    export.add_argument("--between", type=float, nargs=2, metavar=("T0", "T1"), help="only these seconds of the run")
+    export.add_argument("--fps", type=float, metavar="N", help="moments per second; by default all that there are")
+    export.add_argument("--array", metavar="NAME", help=".csv: this array of a recording")
+    export.add_argument("--scenery", action="store_true", help="terrain, trees, rocks and water too (.glb)")
+    export.add_argument("--size", type=_size, default=(960, 540), metavar="WxH", help="of films and sprites, in pixels")
+
+
 def _common(job: argparse.ArgumentParser) -> None:
     job.add_argument("--character", help="bird, dinosaur, human, ostrich, or a .toml file")
     job.add_argument("--characters", type=_positive, metavar="N", help="how many")
     job.add_argument("--seed", type=_seed, help="of chance; the same one is the same run")
+    _shown(job)
+
+
+def _shown(job: argparse.ArgumentParser) -> None:
     job.add_argument("--headless", action="store_true", help="no window")
     job.add_argument("--seconds", type=_seconds, metavar="T", help="simulated seconds, then end")
     job.add_argument("--record", metavar="RUN.npz")
@@ -152,12 +219,27 @@ def _index(text: str) -> int:
     return int(_number(text, int, "a whole number, from 0,"))
 
 
+def _length(text: str) -> float:
+    allowed = "more than 0, at most 1000,"
+    value = float(_number(text, float, allowed))
+    if not 0 < value <= 1000:
+        raise argparse.ArgumentTypeError(f"{text}: {allowed} is allowed")
+    return value
+
+
 def _seed(text: str) -> int:
     allowed = "a whole number, 0 or more, below 2^63,"
     value = int(_number(text, int, allowed))
     if not 0 <= value < 2**63:
         raise argparse.ArgumentTypeError(f"{text}: {allowed} is allowed")
     return value
+
+
+def _seeds(text: str) -> tuple[int, int]:
+    first, _, last = text.partition(":")
+    if not (first.isdigit() and last.isdigit() and int(first) < int(last) < 2**63):
+        raise argparse.ArgumentTypeError(f"{text}: A:B is allowed, whole numbers, A less than B, as in 0:100")
+    return int(first), int(last)
 
 
 def _seconds(text: str) -> float:

@@ -4,15 +4,18 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from motion.characters.character import load_character
+from motion.characters.character import Character, character_names, load_character
+from planner.planner import fault_of_goal, fault_of_place
 from planner.script.scene import load_scene, scene_names
 from sim.cli import agreeing
 from sim.cli.show import show
 from sim.cli.status import BAD_INPUT, DONE
 from sim.stage.performance import Performance
 from worlds import reading
+from worlds.compiled.telling import tell
 from worlds.errors import InputError
 from worlds.level import load_level
+from worlds.world import World
 
 
 def play(options: Any) -> int:
@@ -77,4 +80,22 @@ def _checked(name: str) -> tuple[str, int]:
         show = Performance(load_scene(name))
         return f"scene {show.scene.name}: {show.footprints.steps} steps, {show.end:.1f} s", len(show.warnings)
     world = load_level(name)
-    return f"{world.name}: {len(world.trees)} trees, {len(world.rocks)} rocks", 0
+    return f"{world.name}: {len(world.trees)} trees, {len(world.rocks)} rocks", len(_told(name, world))
+
+
+def fault_of_start(world: World, character: Character) -> str | None:
+    """Why a character cannot begin at a level's start, or None."""
+    return fault_of_place(world, character, (*world.start, world.start_heading))
+
+
+def _told(name: str, world: World) -> list[str]:
+    """For whom of those who ship there is no room at a level's start or goal, told as warnings; InputError: for nobody."""
+    found, cast = [], [load_character(one) for one in character_names()]
+    for place, fault_of in (("start", fault_of_start), ("goal", fault_of_goal)):
+        faults = [fault for one in cast if (fault := fault_of(world, one))]
+        if len(faults) == len(cast):
+            raise InputError(f"{name}: {place}.position: no character that ships can stand there: {faults[0]}")
+        found += [f"{place}.position: {fault}" for fault in faults]
+    for said in found:
+        tell(f"{name}: warning: {said}")
+    return found

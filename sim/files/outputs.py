@@ -1,7 +1,8 @@
 """Where results go: asked before a run begins, and written whole or not at all.
 
 A file is made beside what it replaces, under a name that is nobody's, and takes its place when it is complete. A link is
-followed; a device or a pipe cannot be replaced, so it is written to as such.
+followed; a device or a pipe cannot be replaced, so it is written to as such. What a killed run has left half made is removed by
+the next one that writes to the folder (sim.files.leftovers).
 """
 
 import os
@@ -12,6 +13,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from sim.files import leftovers
+from sim.files.leftovers import Held
 from worlds.compiled import leaving
 from worlds.errors import InputError
 
@@ -57,7 +60,7 @@ def _fault_of_folder(path: str) -> str | None:
         target = Path(os.path.realpath(path))
         if not target.parent.is_dir():
             return f"the folder {target.parent} does not exist"
-        _beside(target).unlink()
+        leftovers.held_in(target.parent).drop()
     except FileNotFoundError:
         return "the folder that this is called in does not exist any more"
     except (OSError, ValueError) as error:
@@ -72,13 +75,6 @@ def _as_such(path: str | Path) -> bool:
     return False
 
 
-def _beside(target: Path) -> Path:
-    """A new, empty file beside the target."""
-    handle, name = tempfile.mkstemp(".part", ".footfall-", target.parent)
-    os.close(handle)
-    return Path(name)
-
-
 class Part:
     """A file in the making: write to `path`, then `keep` it as what was wanted, or `drop` it. Raises InputError."""
 
@@ -86,7 +82,8 @@ class Part:
         self.wanted = wanted
         try:
             self._target = None if _as_such(wanted) else Path(os.path.realpath(wanted))
-            self.path = _beside(self._target or Path(tempfile.gettempdir()) / "device")
+            self._held: Held = leftovers.held_in(self._target.parent if self._target else Path(tempfile.gettempdir()))
+            self.path = self._held.path
         except OSError as error:
             raise InputError(f"{wanted}: cannot be written: {_reason(error)}") from None
         leaving.remember(self, self.drop)
@@ -97,10 +94,10 @@ class Part:
             if self._target is None:
                 with open(self.path, "rb") as made, open(self.wanted, "wb") as device:
                     shutil.copyfileobj(made, device)
-                self.path.unlink()
+                self._held.drop()
             else:
                 os.chmod(self.path, _rights(self._target))
-                os.replace(self.path, self._target)
+                self._held.become(self._target)
             leaving.forget(self)
         except OSError as error:
             self.drop()
@@ -109,7 +106,7 @@ class Part:
     def drop(self) -> None:
         """Nothing is left of it."""
         leaving.forget(self)
-        self.path.unlink(missing_ok=True)
+        self._held.drop()
 
 
 def _rights(target: Path) -> int:

@@ -5,16 +5,20 @@ from dataclasses import dataclass
 from functools import cached_property
 from importlib.metadata import version
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
+from motion.characters.character import Character, character_names, load_character
 from motion.pose.pose import Pose
+from motion.track.footprints import Footprints
 from sim.files import archive
 from sim.files.frames import Frames
 from sim.files.schema import RunMeta, check_run
 from sim.stage.cast import Cast, Change
 from sim.stage.commands import Recast, from_plain
 from sim.stage.edits import Edit
+from worlds.compiled.tables import empty
 from worlds.errors import InputError
 from worlds.reading import checked
 from worlds.world import World
@@ -22,6 +26,8 @@ from worlds.world import World
 FORMAT = 1
 RATE = 60
 """Frames per second of simulated time."""
+UNEVEN = 1e-6
+"""Frames further than this [s] from even spacing have no central differences, and make no clip."""
 NEEDED = ("time", "com", "contact", "phase", "physics_cost", "footprint_position")
 
 
@@ -53,7 +59,7 @@ class Recorder:
             "tree": world.arrays.trees,
             "rock": world.arrays.rocks,
             "bounds": world.arrays.bounds,
-            "heights": world.heights,
+            archive.HEIGHTS: world.heights,
         }
 
     def recording(self) -> "Recording":
@@ -70,6 +76,7 @@ class Recorder:
             "seed": sim.seed,
             "rate": sim.tick_rate,
             "characters": [character.to_dict() for character in sim.first_characters],
+            "looks": [character.look.model_dump(mode="json") for character in sim.first_characters],
             "world": sim.world.to_dict(heights=False),
             "first_world": None if sim.world is sim.first_world else sim.first_world.to_dict(heights=False),
             "changes": [change._asdict() for change in sim.changes],
@@ -79,6 +86,13 @@ class Recorder:
     def save(self, path: str | Path) -> None:
         """Writes the recording. Raises InputError where it cannot be written."""
         archive.write(path, self.arrays(), self._meta())
+
+
+class Became(NamedTuple):
+    """Who a character has become."""
+
+    time: float  # after which it was so [s]
+    character: Character
 
 
 @dataclass(frozen=True)
@@ -119,6 +133,32 @@ class Recording:
             if isinstance(command, Recast) and command.character == c:
                 found.append((tick / self.meta["rate"], command.dimensions))
         return found
+
+    def footprints(self, c: int, recasts: int = 0) -> Footprints:
+        """The footprints (K,) of character c by contact time, of those after it had become another one so often."""
+        character = self.arrays["footprint_character"]
+        cast = self.arrays.get("footprint_recasts", np.zeros_like(character))
+        mine = np.flatnonzero((character == c) & (cast == recasts))
+        found = empty(Footprints, len(mine))
+        for name, column in found._asdict().items():
+            if f"footprint_{name}" in self.arrays:
+                column[...] = self.arrays[f"footprint_{name}"][mine]
+        return found
+
+    def cast(self, c: int) -> list[Became]:
+        """Who character c was, one after the other, each with the time [s] after which it was so. Raises InputError."""
+        looks = self.meta.get("looks") or [_look_of(plain["name"]) for plain in self.meta["characters"]]
+        found = [Became(-np.inf, Character.from_dict(self.meta["characters"][c], looks[c]))]
+        for tick, plain in self.changes:
+            command = from_plain(plain)
+            if isinstance(command, Recast) and command.character == c:
+                found.append(Became(tick / self.meta["rate"], Character.from_dict(command.dimensions, command.look)))
+        return found
+
+
+def _look_of(name: str) -> dict:
+    """The looks of a character of a recording that holds none: those of the one of that name that ships, else grey."""
+    return load_character(name).look.model_dump(mode="json") if name in character_names() else {}
 
 
 def load_recording(path: str | Path) -> Recording:

@@ -17,6 +17,7 @@ from planner.planner import NoWay, Planner
 from planner.planners import PLANNERS
 from sim import VERSION
 from sim.files import archive
+from sim.files.archive import HEIGHTS
 from sim.files.schema import StateMeta, check_crowd, check_log
 from sim.rows.crowd import empty_crowd
 from sim.stage.cast import Change, kinds_of
@@ -27,15 +28,45 @@ from worlds.reading import checked
 from worlds.world import World
 
 FORMAT = 3
-CROWD, PLANS, LOG, HEIGHTS = "crowd", "plans", "footprint_", "heights"
+CROWD, PLANS, LOG = "crowd", "plans", "footprint_"
 
 
 def save(sim: Simulation, path: str | Path) -> None:
-    """Writes the state of a simulation. Raises InputError where that cannot be done."""
+    """Writes the state of a simulation. Raises InputError where that cannot be done, or nobody could go on from it."""
+    _check_planner(sim)
     arrays = archive.flat(CROWD, sim.crowd) | ({} if sim.plans is None else archive.flat(PLANS, sim.plans))
     arrays |= sim.footprints.kept() | {HEIGHTS: sim.world.heights}
+    sim.measure()
     meta = _meta(sim)
     archive.write(path, arrays, meta | {"digest": _digest(arrays, meta)}, compressed=False)
+
+
+def _check_planner(sim: Simulation) -> None:
+    """Raises InputError for a planner that could not be restored."""
+    planner, name = sim.planner, sim.planner.name
+    said = f"--save: the planner {name!r} cannot be saved"
+    if name in PLANNERS and type(planner) is not PLANNERS[name]:
+        raise InputError(f"{said}: it has the name of one that ships; give it a name of its own")
+    try:
+        values = planner.values()
+        if not isinstance(values, dict) or not all(isinstance(key, str) for key in values):
+            raise ValueError(f"values() = {values!r}: a table of the keyword arguments of its class is needed")
+        json.dumps(values)
+        _plans_of(planner, {} if sim.plans is None else archive.flat(PLANS, sim.plans), len(sim.characters))
+        if sim.plans is not None and getattr(planner.planning, "sample", None) is None:
+            raise ValueError("nothing tells the types of its plans: Compiled(next_step, plans) takes a sample of them")
+    except (KeyError, TypeError, ValueError, AttributeError, RecursionError) as error:
+        raise InputError(f"{said}: {error}") from None
+
+
+def _plans_of(planner: Planner, arrays: archive.Arrays, count: int) -> Any:
+    """A planner's plans out of the arrays of a file, for so many characters. Raises KeyError, ValueError."""
+    sample: Any = getattr(planner.planning, "sample", None)
+    plans = None if sample is None else archive.unflat(PLANS, sample, arrays, count)
+    check_plans = getattr(planner, "check_plans", None)
+    if check_plans is not None:
+        check_plans(plans, count)
+    return plans
 
 
 def _meta(sim: Simulation) -> dict:
@@ -48,7 +79,7 @@ def _meta(sim: Simulation) -> dict:
         "seed": sim.seed,
         "steps": sim.footprints.steps,
         "recasts": sim.footprints.recasts.tolist(),
-        "distance": sim.distance.tolist(),
+        "distance": sim.gone.tolist(),
         "world": sim.world.to_dict(heights=False),
         "first_world": sim.first_world.to_dict(heights=False) if sim.first_world is not sim.world else None,
         "kinds": [{"dimensions": kind.to_dict(), "look": kind.look.model_dump()} for kind in sim.kinds],
@@ -89,11 +120,7 @@ def restore(path: str | Path, planner: Planner | None = None) -> Simulation:
 def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulation:
     kinds = [Character.from_dict(kind["dimensions"], kind["look"]) for kind in meta["kinds"]]
     crowd = archive.unflat(CROWD, empty_crowd(arrays[f"{CROWD}.kind"]), arrays)
-    sample: Any = getattr(planner.planning, "sample", None)
-    plans = None if sample is None else archive.unflat(PLANS, sample, arrays, len(crowd.kind))
-    check_plans = getattr(planner, "check_plans", None)
-    if check_plans is not None:
-        check_plans(plans, len(crowd.kind))
+    plans = _plans_of(planner, arrays, len(crowd.kind))
     cast = [kinds[k] for k in meta["kind"]]
     check_crowd(crowd, kinds_of(cast)[1], meta["ticks"] / meta["tick_rate"])
     for name in ("recasts", "distance"):
@@ -103,7 +130,7 @@ def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulat
     check_log(kept, meta["recasts"])
     world = World.from_dict(meta["world"], arrays[HEIGHTS])
     sim = Simulation(world, cast, planner, meta["seed"], meta["tick_rate"], State(meta["ticks"], crowd, plans))
-    sim.distance[:] = meta["distance"]
+    sim.gone[:] = meta["distance"]
     for change in meta["changes"]:
         from_plain(change["command"])
         sim.changes.append(Change(**change))

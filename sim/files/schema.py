@@ -74,6 +74,7 @@ class RunMeta(BaseModel):
     level: str
     rate: Annotated[float, Field(ge=1, le=RATES[1], allow_inf_nan=False)]
     characters: Annotated[list[Plain], Field(min_length=1, max_length=MOST_CHARACTERS)]
+    looks: list[Plain] | None = None
     world: Plain
     first_world: Plain | None = None
     changes: list[_Change] = []
@@ -168,6 +169,8 @@ def check_run(arrays: Arrays, meta: RunMeta) -> None:
         raise ValueError("time: a row of finite times is needed")
     if (np.diff(arrays["time"]) < 0).any():
         raise ValueError("time: must ascend")
+    if meta.looks is not None and len(meta.looks) != count:
+        raise ValueError(f"meta.looks: {len(meta.looks)} for {count} characters")
     for c, dimensions in enumerate(meta.characters):
         numbers = [value for name, value in dimensions.items() if name != "name"]
         if not isinstance(dimensions.get("name"), str) or not all(type(v) in (int, float) and np.isfinite(v) for v in numbers):

@@ -7,10 +7,9 @@ import numpy as np
 
 from motion.measures import gait, joints, quality
 from motion.track.footprints import Footprints
-from sim.files.recording import Recording
+from sim.files.recording import UNEVEN, Recording
 from worlds import queries
 from worlds.arrays import WorldArrays
-from worlds.compiled.tables import empty
 from worlds.errors import InputError
 
 _FRAMES = (
@@ -25,8 +24,6 @@ _LARGEST = (
     "physics_cost_error",
 )  # fmt: skip
 _LEAST = ("swing_clearance", "clearance_share", "shank_gap", "tree_distance", "water_distance", "border_distance", "speed")
-UNEVEN = 1e-6
-"""Frames further than this [s] from even spacing have no central differences."""
 
 
 def measure(recording: Recording) -> dict:
@@ -86,22 +83,10 @@ def frames_of(recording: Recording, c: int) -> dict[str, np.ndarray]:
     return {name: np.ascontiguousarray(recording.arrays[name][:, c]) for name in _FRAMES}
 
 
-def footprints_of(recording: Recording, c: int, recasts: int = 0) -> Footprints:
-    """The footprints (K,) of character c by contact time, of those after it had become another one so often."""
-    character = recording.arrays["footprint_character"]
-    cast = recording.arrays.get("footprint_recasts", np.zeros_like(character))
-    mine = np.flatnonzero((character == c) & (cast == recasts))
-    found = empty(Footprints, len(mine))
-    for name, column in found._asdict().items():
-        if f"footprint_{name}" in recording.arrays:
-            column[...] = recording.arrays[f"footprint_{name}"][mine]
-    return found
-
-
 def _character(recording: Recording, part: Part, grounds: "Grounds") -> dict:
     c, recasts, inside, dimensions = part
     time, a = recording.arrays["time"][inside], {k: v[inside] for k, v in frames_of(recording, c).items()}
-    footprints = footprints_of(recording, c, recasts)
+    footprints = recording.footprints(c, recasts)
     again = quality.physics_cost(a["com"], a["com_acceleration"], a["point_of_support"], a["contact"])
     return {
         "name": dimensions["name"],

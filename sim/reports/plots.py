@@ -15,15 +15,14 @@ from motion.track.footprints import SIDES as SIDE_NAMES
 from motion.track.footprints import Footprints
 from sim.files import outputs
 from sim.files.recording import Recording
-from sim.palette import PHASES
 from sim.reports.cycles import ANGLES, Cycle
-from sim.reports.measure import footprints_of, frames_of
+from sim.reports.measure import frames_of
 from worlds.errors import InputError
 
 FRAMES = 30
 """Poses per simulated second in the figures of crowds."""
 KINDS = (".png", ".svg", ".pdf")
-SIDES = (PHASES[phases.LEFT_STANCE], PHASES[phases.RIGHT_STANCE])
+SIDES = (phases.COLOURS[phases.LEFT_STANCE], phases.COLOURS[phases.RIGHT_STANCE])
 INK, GRID = "0.25", "0.9"
 _STYLE: Any = {
     "font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "axes.labelcolor": INK,
@@ -39,7 +38,7 @@ def plot_run(recording: Recording, c: int, path: str | Path, between: tuple[floa
         raise InputError(f"--character-index {c}: the recording has {count} character(s), 0 to {count - 1}")
     time, dimensions = recording.arrays["time"], recording.meta["characters"][c]
     shown = _shown(time, between)
-    a, footprints = frames_of(recording, c), footprints_of(recording, c)
+    a, footprints = frames_of(recording, c), recording.footprints(c)
     angles = joints.angles(a, dimensions["metatarsus"] > 0)
     heights = (1.2, 1.2, 1.2, *(1.2 for _ in angles), 0.7)
     with matplotlib.rc_context(_STYLE):
@@ -115,15 +114,15 @@ def _stances(axis: Axes, time: np.ndarray, contact: np.ndarray, phase: np.ndarra
         code = int(phase[begin])
         span = (time[begin], (end - begin) * dt)
         if code == phases.FLIGHT:
-            axis.broken_barh([span], (-0.5, 2), color=PHASES[code], linewidth=0)
+            axis.broken_barh([span], (-0.5, 2), color=phases.COLOURS[code], linewidth=0)
         for side in range(2):
             if contact[begin, side]:
-                axis.broken_barh([span], (0.65 - side, 0.7), color=PHASES[code], linewidth=0)
+                axis.broken_barh([span], (0.65 - side, 0.7), color=phases.COLOURS[code], linewidth=0)
     axis.set_yticks([1, 0], list(SIDE_NAMES))
     axis.set_ylim(-0.5, 1.5)
     axis.grid(False, axis="y")
     axis.set_ylabel("stance")
-    handles = [matplotlib.patches.Patch(color=PHASES[code], label=name) for code, name in enumerate(phases.NAMES)]
+    handles = [matplotlib.patches.Patch(color=phases.COLOURS[code], label=name) for code, name in enumerate(phases.NAMES)]
     axis.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.45), ncols=4)
 
 
@@ -179,7 +178,7 @@ def _timing(axes: np.ndarray, name: str, table: dict) -> None:
         for kind, shade in (("run", 0.10), ("leap", 0.22)):
             there = length[kinds == kind]
             if len(there):
-                axis.axvspan(there[0], there[-1], color=PHASES[phases.FLIGHT], alpha=shade * 2, linewidth=0)
+                axis.axvspan(there[0], there[-1], color=phases.COLOURS[phases.FLIGHT], alpha=shade * 2, linewidth=0)
     for kind in ("walk", "run", "leap"):
         there = length[kinds == kind]
         if len(there):

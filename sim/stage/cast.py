@@ -25,6 +25,15 @@ from worlds.errors import InputError
 from worlds.world import World
 
 TICK_RATE = 60
+MEASURED = 6
+"""Ways are measured so often in a simulated second."""
+
+
+class Site(NamedTuple):
+    """What a picture of all that happens shows."""
+
+    middle: np.ndarray  # (3,) [m]
+    radius: float  # [m]
 
 
 class Change(NamedTuple):
@@ -47,8 +56,9 @@ class Cast:
         self.crowd = crowds.empty_crowd(kind, **capacity)
         self.footprints = FootprintLog(len(self.characters))
         self.changes: list[Change] = []
-        self.distance = np.zeros(len(self.characters))
-        """How far each has gone [m], where a run watches (sim.stage.run); saved and restored."""
+        self.gone = np.zeros(len(self.characters))
+        """How far each has gone up to the last time that it was measured [m]; saved and restored."""
+        self._measured: np.ndarray | None = None
         self._shown: Held[posing.Shown] | None = None
         self.first_world, self.first_characters = world, list(characters)
 
@@ -59,7 +69,33 @@ class Cast:
 
     def tick(self) -> None:
         """One tick of time."""
+        if self._measured is None or self.ticks % self._every == 0:
+            self.measure()
         self.ticks += 1
+
+    @property
+    def _every(self) -> int:
+        """So many ticks lie between two measurements: a sixth of a second."""
+        return max(self.tick_rate // MEASURED, 1)
+
+    def measure(self) -> None:
+        """Adds the way of the bodies since it was last measured: a state is saved as if it were measured in any case."""
+        com = self.com()
+        if self._measured is None:  # at the beginning, or after a restart: where they were when it was last measured
+            self._measured = self.com((self.ticks - self.ticks % self._every) / self.tick_rate)
+        if self.ticks % self._every == 0:
+            self.gone, self._measured = self.gone + self._way(com), com
+
+    def _way(self, com: np.ndarray) -> np.ndarray:
+        """(C,) from where they were measured to these centres of mass (C, 3), over the ground [m]."""
+        return np.linalg.norm((com - self._measured)[:, :2], axis=1)
+
+    @property
+    def distance(self) -> np.ndarray:
+        """(C,) how far each has gone over the ground, from the beginning [m]."""
+        if self._measured is None:
+            self.measure()
+        return self.gone + self._way(self.com())
 
     @property
     def over(self) -> bool:
@@ -93,6 +129,15 @@ class Cast:
         com = np.empty((len(self.characters), 3))
         posing.com_all(self._shown_at(), self.moment(time), com)
         return com
+
+    @property
+    def site(self) -> Site | None:
+        """Where everything happens, for those who look at all of it; None where one follows a character instead."""
+        return None
+
+    def present(self, time: float | None = None) -> np.ndarray:
+        """(C,) bool: who is there at `time` [s], by default now; the others are not to be seen."""
+        return np.ones(len(self.characters), bool)
 
     def skeleton(self, character: int) -> Skeleton:
         """The bones of a character at rest."""

@@ -16,6 +16,7 @@ from planner.modes.wander import Wander
 from planner.river import search
 from planner.river.rock_hop import RockHop
 from planner.script import laying
+from planner.stepping import timing
 from sim.rows import crowd as crowds
 from sim.rows import posing, rounds
 from sim.stage.cast import TICK_RATE, Cast
@@ -55,6 +56,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
             (queries.survey, (w, np.zeros((2, 2)), matrix)),
             *((kernel, place) for kernel in (queries.clearance, queries.terrain_height, queries.in_water)),
         ],
+        "stride law": [(timing.step_timing, (biped, 0.0, 0.0, 0.0, False, 0.0, True, 0.0))],
         "route search": [(search.find, (biped, spots, 0, 0))],
         "laying footprints": [(laying.lay_steps, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP), 0.0, 0.0))],
         "whole curves": [(motion.solve_track, (biped, empty(Footprints, 1), 0.0, window.SCENE, newton.SCENE))],

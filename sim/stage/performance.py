@@ -22,7 +22,7 @@ class Performance(Cast):
 
         `warnings` tells what will be ugly.
         """
-        who = character or load_character(scene.character)
+        who = character or load_character(scene.character, scene.character_scale)
         given = scene.footprints_of(who)
         self.warnings = review(given, who, scene.world.arrays, scene.name)
         footprints = laid(given, who, scene.world.arrays, scene.stand_before, scene.stand_after, scene.support, scene.name)

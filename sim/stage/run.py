@@ -30,7 +30,7 @@ def run(
             look()
         watch.look()
         if not quiet and (k % 30 == 0 or k == ticks - 1):
-            _bar((k + 1) / ticks)
+            progress((k + 1) / ticks)
         if stop() or sim.over or (watch.all_there_since is not None and sim.time - watch.all_there_since > STANDS_STILL):
             break
     if not quiet:
@@ -39,30 +39,27 @@ def run(
     return watch.summary()
 
 
-def _bar(share: float) -> None:
+def progress(share: float) -> None:
+    """How much is done, 0 to 1, as a bar that stays in its line."""
     full = int(30 * share)
     tell(f"\r  [{'#' * full}{'.' * (30 - full)}] {share:4.0%}", end="")
 
 
 class _Watch:
-    """Distances and goals as they come, without keeping poses."""
+    """Goals as they are reached, without keeping poses."""
 
     def __init__(self, sim: Cast) -> None:
         self.sim = sim
-        self.last = sim.snapshot().com[:, :2]
         self.reached = np.full(len(sim.characters), np.nan)
         self.all_there_since: float | None = None
 
     def look(self) -> None:
-        """After a tick: six times a simulated second is enough for distances and goals."""
+        """After a tick: six times a simulated second is enough."""
         if self.sim.ticks % 10 == 0:
             self.measure()
 
     def measure(self) -> None:
-        """How far everyone has come since it was last measured, and whether they are there."""
-        com = self.sim.snapshot().com[:, :2]
-        self.sim.distance += np.linalg.norm(com - self.last, axis=1)
-        self.last = com
+        """Who is there."""
         there = self.sim.reached_goal
         self.reached[there & np.isnan(self.reached)] = self.sim.time
         self.all_there_since = (self.all_there_since or self.sim.time) if there.all() else None

@@ -85,6 +85,14 @@ class Simulation(Cast):
         self.planner.planning.check()
         raise_refused(self._refused, self.planner.name, self.world.arrays.bounds)
 
+    @property
+    def reached_goal(self) -> np.ndarray:
+        """(C,) bool: both feet within the goal's radius, or where the planner has found room for it beside others; standing."""
+        near, arrived = super().reached_goal, getattr(self.planner, "arrived", None)
+        if arrived is None or len(self.characters) == 1:
+            return near
+        return near | (arrived(self.plans) & self.crowd.standing)
+
     def situation(self, world: World) -> Situation:
         """What the planner prepares from, in a world."""
         return Situation(world, self.characters, self.feet(), self.crowd.number + 1, self.seed, self.plans)
@@ -126,7 +134,7 @@ class Simulation(Cast):
 
     def _publish_anew(self) -> None:
         """Everyone shows what it holds: reservations follow from the rows."""
-        reservations = empty_reservations(self.bipeds, self.crowd.kind, self.world.size)
+        reservations = empty_reservations(self.bipeds, self.crowd.kind, self.world.size, getattr(self.planner, "looks", 0.0))
         crowd = self.crowd
         self._hold(Round(crowd.kind, self.bipeds, self.world.arrays, 0, reservations, crowd.intents, self.seed))
         rounds.publish_all(self.work.address, np.arange(len(self.characters)))

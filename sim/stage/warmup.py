@@ -23,6 +23,7 @@ LIVE, SHOWN = ("window solve", "tick of the crowd"), ("poses", "bones", "standin
 NEEDED = {
     "wander": (LIVE, ("placing footprints", "wandering", *SHOWN)),
     "river": ((*LIVE, "route search"), ("placing footprints", "crossing", *SHOWN)),
+    "import-trajectories": (("whole curves", "stride law"), ("laying footprints", *SHOWN)),
     "play": (("whole curves",), ("laying footprints", *SHOWN)),
 }
 """What a command needs: (compiled here, by the second process)."""

@@ -4,6 +4,8 @@ A kernel keeps its Python signature for the type checker: what is decorated is c
 """
 
 import os
+import re
+import warnings
 from collections.abc import Callable
 from typing import Any, TypeVar
 
@@ -17,7 +19,9 @@ if _FOLDER is not None:
 os.environ.setdefault("NUMBA_THREADING_LAYER", "workqueue")
 
 try:
-    import numba
+    with warnings.catch_warnings(record=True) as _said:
+        warnings.simplefilter("always")
+        import numba
     from llvmlite import ir
     from numba.core import cgutils, event, types
     from numba.core.caching import NullCache
@@ -26,6 +30,13 @@ try:
 except (ImportError, ValueError) as error:
     asked = ", ".join(f"{name}={value}" for name, value in sorted(os.environ.items()) if name.startswith("NUMBA_NUM"))
     raise InputError(f"numba, which compiles Footfall, does not start: {error} {asked}".rstrip()) from None
+for _warning in _said:
+    _name = re.search(r"variable '(NUMBA_\w+)'", str(_warning.message))
+    if _name:
+        raise InputError(
+            f"{_name[1]}={os.environ.get(_name[1])}: is no value that numba, which compiles Footfall, knows; unset it"
+        )
+    warnings.warn_explicit(_warning.message, _warning.category, _warning.filename, _warning.lineno)
 if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
     raise InputError("NUMBA_DISABLE_JIT is set: Footfall's kernels are compiled, or nothing; unset it")
 

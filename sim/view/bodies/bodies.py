@@ -39,7 +39,7 @@ class Bodies:
         for clay in (self.fine, self.coarse, self.flat):
             clay.clear()
         self.com = sim.com(time)
-        rows = np.flatnonzero(detail.in_view(view, self.com, self._reach + SHADOW))
+        rows = np.flatnonzero(detail.in_view(view, self.com, self._reach + SHADOW) & sim.present(time))
         level = detail.level_of(detail.pixels(view, self.com[rows], self._tall[rows], height))
         pose = sim.snapshot(time, rows)
         self.levels[:] = np.bincount(level, minlength=4)

@@ -41,10 +41,11 @@ class Figure:
 def figure_of(character: Character, pose: Pose, skeleton: Skeleton | None = None) -> Figure:
     """The figure of a pose whose rows are all of one character's kind."""
     skeleton = skeleton_of(character) if skeleton is None else skeleton
-    return _figure(placed(bones_of(character, pose, skeleton), skeleton), skeleton, float(character.biped.leg.nominal_length))
+    return figure_at(placed(bones_of(character, pose, skeleton), skeleton), skeleton, float(character.biped.leg.nominal_length))
 
 
-def _figure(at: Placed, skeleton: Skeleton, unit: float) -> Figure:
+def figure_at(at: Placed, skeleton: Skeleton, unit: float) -> Figure:
+    """The figure of bones that are there, of a character whose nominal leg is `unit` [m]."""
     index = {name: k for k, name in enumerate(skeleton.names)}
 
     def heads(bone: str, instead: str) -> np.ndarray:

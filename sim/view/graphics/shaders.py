@@ -76,7 +76,7 @@ TREE_VERTEX = (
     COMMON
     + """
 in vec3 in_offset; in vec3 in_normal; in vec3 in_part;  // part: height, crown or trunk, brightness
-in vec4 place; in vec4 form; in vec4 leaf;              // see forest.Forest.plant
+in vec4 place; in vec4 form; in vec4 leaf;              // see trees.Planted
 out vec3 p; out vec3 n; out vec3 colour;
 void main() {
     bool crown = in_part.y > 0.5;

@@ -36,12 +36,27 @@ class Picture:
         self.distance = 5.2  # in nominal leg lengths
 
     def frame(self, sim: Cast, focus: int = 0, time: float | None = None) -> np.ndarray:
-        """(height, width, 3) uint8 of a moment [s], by default now: a character, and of those around it a crowd."""
+        """(height, width, 3) uint8 of a moment [s], by default now: the site, or a character and those around it."""
         time = sim.time if time is None else time
         unit = sim.leg(focus)
-        self.camera.meet(sim.com(time), focus, self.distance * unit)
-        self.camera.target -= (0, 0, 0.25 * unit)
+        if (site := sim.site) is not None:
+            self.camera.frame(site.middle, site.radius, self.distance * unit)
+        else:
+            self.camera.meet(sim.com(time), focus, self.distance * unit)
+            self.camera.target -= (0, 0, 0.25 * unit)
         return self.shoot(sim, focus, time)
+
+    def cut_out(self, sim: Cast, time: float) -> np.ndarray:
+        """(height, width, 4) uint8 of the first character at a moment [s], without what is around it: transparent there."""
+        self.renderer.alone = True
+        unit = sim.leg(0)
+        self.camera.frame(sim.com(time)[0] - (0, 0, 0.25 * unit), 0.0, self.distance * unit)
+        self.renderer.draw(self.target, sim, self.camera, time, 0)
+        self.ctx.copy_framebuffer(self.resolved, self.target)
+        width, height = self.target.size
+        pixels = np.frombuffer(self.resolved.read(components=4), np.uint8).reshape(height, width, 4)[::-1].astype(float)
+        pixels[..., :3] /= np.maximum(pixels[..., 3:] / 255, 1e-3)  # edges were mixed with nothing
+        return np.clip(np.round(pixels), 0, 255).astype(np.uint8)
 
     def shoot(self, sim: Cast, focus: int, time: float) -> np.ndarray:
         """(height, width, 3) uint8 as the camera stands."""

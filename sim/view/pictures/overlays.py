@@ -4,7 +4,6 @@ import numpy as np
 
 from motion.track import phases
 from motion.track.curve import evaluate
-from sim.palette import PHASES
 from sim.stage.cast import Cast
 from sim.view.bodies.clay import Clay
 
@@ -23,7 +22,7 @@ def overlays(clay: Clay, sim: Cast, character: int) -> None:
         points, scratch = np.empty((len(ts), 3)), np.empty((2, 3))
         for k, t in enumerate(ts):
             evaluate(curve, min(t, time[i + 1] - 1e-9), points[k], scratch[0], scratch[1])
-        colour = PHASES[phases.phase_of(left, right)]
+        colour = phases.COLOURS[phases.phase_of(left, right)]
         clay.add(points[:-1], 0.011 * size, points[1:], 0.011 * size, colour, 1.0)
     if len(control):
         clay.ball(control[:, :3], 0.022 * size, TANGENT, 1.0)

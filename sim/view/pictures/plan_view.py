@@ -40,7 +40,7 @@ def draw_plan(surface: Any, sim: Cast, trail: Trail, centre: np.ndarray, metres:
     trail.look(sim)
     for rows, count in zip(trail.rows, trail.count, strict=True):
         stamp(rows[:count][rows[:count, 7] <= sim.time], max(int(0.05 * scale), 2), SOLE)
-    stamp(sim.com(), max(int(0.16 * scale), 3), BODY)
+    stamp(sim.com()[sim.present()], max(int(0.16 * scale), 3), BODY)
 
 
 def plan_picture(sim: Cast, size: tuple[int, int]) -> np.ndarray:

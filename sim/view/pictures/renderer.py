@@ -60,6 +60,8 @@ class Renderer:
         self._kinds: list[Character] = []
         self._static: dict[str, Mesh] = {}
         self.show_overlays = True
+        self.alone = False
+        """Whether only bodies are drawn, on nothing: the picture is transparent around them."""
 
     def _program(self, vertex: str, fragment: str, shadows: int = 0) -> moderngl.Program:
         head = f"{shaders.VERSION}#define SHADOWS {shadows}\n"
@@ -100,7 +102,7 @@ class Renderer:
             self._shadow_pass(sun)
         target.use()
         self.ctx.viewport = (0, 0, target.width, target.height)
-        target.clear(0.7, 0.8, 0.9)
+        target.clear(*(0.0, 0.0, 0.0) if self.alone else (0.7, 0.8, 0.9))
         lit = self._lit_programs()
         for program in (*lit.values(), self.sky):
             self._uniforms(program, view, sun, camera, time)
@@ -109,6 +111,11 @@ class Renderer:
         for mesh in self._clay.values():
             self._draw_clay(lit["clay"], mesh, mesh)
         self._draw_clay(lit["clay"], self._overlays, self._overlays)
+        if not self.alone:
+            self._draw_around(lit)
+
+    def _draw_around(self, lit: dict[str, moderngl.Program]) -> None:
+        """The world and the sky."""
         self._forest.draw(lit["tree"])
         self._draw_static("rocks", lit["mesh"])
         for prints in self._prints:
@@ -125,7 +132,7 @@ class Renderer:
         self.bodies.model(sim, time, view, height)
         self._focus_com = self.bodies.com[focus]
         self._marks.clear()
-        if self.show_overlays:
+        if self.show_overlays and not self.alone:
             overlays(self._marks, sim, focus)
         self._overlays.write(self._marks.rows())
         for name, mesh in self._clay.items():
@@ -166,8 +173,9 @@ class Renderer:
         for program in self._depth.values():
             _set(program, "view_projection", sun.T.astype("f4").tobytes())
             _set(program, "eye", (SUN_FAR * SUN).astype("f4").tobytes())
-        self._draw_static("rocks", self._depth["mesh"])
-        self._forest.draw(self._depth["tree"])
+        if not self.alone:
+            self._draw_static("rocks", self._depth["mesh"])
+            self._forest.draw(self._depth["tree"])
         for mesh in (self._clay["coarse"], self._clay["flat"]):
             self._draw_clay(self._depth["clay"], mesh, self._clay["flat"])
         self._draw_clay(self._depth["clay"], self._clay["fine"], self._clay["coarse"])

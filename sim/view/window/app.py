@@ -60,8 +60,11 @@ class App:
     def _reset_view(self) -> None:
         """Looks at the first character; where there are others, from so far that a crowd is seen."""
         self.focus, self.behind = 0, 0.0
-        self.camera.meet(self.sim.com(), 0, 6.5 * self._unit())
-        self.camera.follow = True
+        if (site := self.sim.site) is not None:
+            self.camera.frame(site.middle, site.radius, 6.5 * self._unit())
+        else:
+            self.camera.meet(self.sim.com(), 0, 6.5 * self._unit())
+        self.camera.follow = site is None
 
     def _unit(self) -> float:
         """Leg length of the character that is followed [m]."""
@@ -143,6 +146,7 @@ class App:
     def _everyone(self) -> None:
         """An overview: all characters in view, nobody followed."""
         com = self.sim.com()
+        com = com[there] if (there := self.sim.present()).any() else com
         middle = 0.5 * (com.min(axis=0) + com.max(axis=0))
         self.camera.frame(middle, float(np.linalg.norm(com - middle, axis=1).max()), 6.5 * self._unit())
         self.camera.follow = False

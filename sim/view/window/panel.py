@@ -6,8 +6,7 @@ from typing import Any
 from imgui_bundle import imgui
 from imgui_bundle.python_backends.opengl_backend_programmable import ProgrammablePipelineRenderer
 
-from motion.track.phases import LEFT_STANCE, RIGHT_STANCE
-from sim.palette import PHASES
+from motion.track.phases import COLOURS, LEFT_STANCE, RIGHT_STANCE
 from sim.view.window.app import App
 
 SPAN = 3.0
@@ -96,7 +95,7 @@ class Panel:
 
         for side, t, stance in zip(track.side, track.contact_time, track.stance_time, strict=True):
             top = y0 + 8 + 24 * float(side)
-            colour = imgui.color_convert_float4_to_u32((*PHASES[(LEFT_STANCE, RIGHT_STANCE)[int(side)]], 1.0))
+            colour = imgui.color_convert_float4_to_u32((*COLOURS[(LEFT_STANCE, RIGHT_STANCE)[int(side)]], 1.0))
             if at(t + stance) > at(t):
                 draw.add_rect_filled((at(t), top), (at(t + stance), top + 18), colour, 4.0)
         draw.add_line((at(now), y0), (at(now), y0 + height), imgui.color_convert_float4_to_u32((1, 1, 1, 0.9)), 2.0)

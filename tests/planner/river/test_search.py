@@ -8,9 +8,10 @@ import pytest
 from motion.characters.character import load_character
 from motion.track.footprints import Footprints
 from planner.planner import NoWay, Situation
+from planner.river import route as routes
 from planner.river import search
+from planner.river.crossing import Country
 from planner.river.rock_hop import RockHop
-from planner.river.route import route
 from worlds import queries
 from worlds.compiled.tables import empty
 from worlds.errors import InputError
@@ -71,6 +72,10 @@ def test_a_star_costs_what_dijkstra_costs(seed):
     assert cost == pytest.approx(expected)
 
 
+def route(world, character, feet):
+    return routes.route(Country(world, character, [world.goal]), feet, world.goal)
+
+
 def standing(world):
     x, y = world.start
     return empty(Footprints, 2)._replace(side=np.array([1, 0]), position=np.array([[x, y - 0.06, 0.0], [x, y + 0.06, 0.0]]))
@@ -115,14 +120,11 @@ def test_no_way_names_the_gap():
     assert RockHop().prepare(situation).length[0] > 10
 
 
-def test_those_who_are_alike_go_one_way_and_too_many_are_refused():
-    world, bird, human = load_level("river_easy"), load_character("bird"), load_character("human")
-    feet = Footprints(*(np.repeat(column[None], 3, axis=0) for column in standing(world)))
-    plans = RockHop().prepare(Situation(world, [bird, human, bird], feet, np.full(3, 3), 0))
-    assert plans.length[0] == plans.length[2] != plans.length[1]
-    assert plans.steps[0].tobytes() == plans.steps[2].tobytes()
-    with pytest.raises(InputError, match="501 characters: at most 500"):
-        RockHop().starts(world, [bird] * 501, 0)
+def test_too_much_work_is_refused_before_it_is_begun():
+    river = River(np.array([[50.0, -5.0], [50.0, 405.0]]), 1.0)
+    world = World("plains", (400.0, 400.0), rivers=(river,), start=(3.0, 200.0), goal=(390.0, 200.0))
+    with pytest.raises(InputError, match=r"places on banks times 1000000 cells of land"):
+        route(world, load_character("human"), standing(world))
 
 
 def test_a_river_too_wide_names_the_gap():

@@ -41,6 +41,19 @@ def test_every_fault_is_told_at_once(tmp_path, capsys):
     assert all(part in message for part in ("start.bogus", "tree.0.radius", "goal.position"))
 
 
+def test_starts_and_goals_are_judged_with_the_body(tmp_path, capsys):
+    path = tmp_path / "level.toml"
+    path.write_text(GOOD + "[goal]\nposition = [15.0, 5.0]\n[[tree]]\nposition = [15.0, 5.35]\nradius = 0.3\n")
+    assert main.main(["check", str(path)]) == 2
+    assert "goal.position: no character that ships can stand there" in capsys.readouterr().err
+    path.write_text(GOOD + "[goal]\nposition = [15.0, 5.0]\n[[tree]]\nposition = [15.0, 5.6]\nradius = 0.3\n")
+    assert main.main(["check", str(path)]) == 0
+    told = capsys.readouterr()
+    assert "warning: goal.position: no room for the body of the dinosaur" in told.err and "2 warning(s)" in told.out
+    assert main.main(["river", str(path), "--headless", "--character", "dinosaur"]) == 2
+    assert "goal at (15, 5): no room for the body of the dinosaur" in capsys.readouterr().err
+
+
 def test_binary_large_and_missing_files(tmp_path):
     binary, large = tmp_path / "b.toml", tmp_path / "l.toml"
     binary.write_bytes(bytes(range(256)) * 10)

@@ -4,6 +4,8 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from typing import NamedTuple
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -140,6 +142,48 @@ def test_a_planner_of_ones_own_is_given_to_restore(tmp_path):
     with pytest.raises(InputError, match=r"'Custom' is none of .*restore\(path, planner\)"):
         restore(tmp_path / "s.npz")
     same(restore(tmp_path / "s.npz", mine), sim)
+
+
+class Same(Custom):
+    """A planner of somebody's own."""
+
+    def __init__(self, changed):
+        super().__init__(in_a_circle, [(10.0, 6.0, 0.0)])
+        for name, value in changed.items():
+            setattr(self, name, value)
+
+
+class Remembers(NamedTuple):
+    """Plans whose types nothing tells."""
+
+    steps: np.ndarray
+
+
+UNSAVED = {
+    "has the name of one that ships": {"name": "Wander"},
+    "a table of the keyword arguments": {"values": lambda: [1]},
+    "not JSON serializable": {"values": lambda: {"a": np.zeros(3)}},
+    "nothing tells the types of its plans": {"prepare": lambda situation: Remembers(np.zeros(1))},
+    "not mine": {"check_plans": Mock(side_effect=ValueError("not mine"))},
+}
+
+
+@pytest.mark.parametrize("said", UNSAVED)
+def test_what_could_not_be_restored_is_not_saved(said, tmp_path):
+    sim = Simulation(World("yard", (20.0, 20.0)), [load_character("bird")], Same(UNSAVED[said]), 0)
+    with pytest.raises(InputError, match=f"cannot be saved: .*{said}"):
+        save(sim, tmp_path / "s.npz")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_ways_are_measured_from_the_beginning_to_the_bit_whenever_it_was_saved(tmp_path):
+    whole, parts = (make_simulation("forest", "bird", 2, 1, False) for _ in range(2))
+    for ticks in (7, 23, 130):
+        ticked(whole, ticks)
+        save(ticked(parts, ticks), tmp_path / "s.npz")
+        parts = restore(tmp_path / "s.npz")
+        assert (parts.distance == whole.distance).all()
+    assert (whole.distance > 0.5).all()
 
 
 def test_versions_agree():

@@ -115,7 +115,9 @@ def test_nobody_waits_in_silence(monkeypatch, capsys):
     assert telling._Work.depth == 0
 
 
-@pytest.mark.parametrize("setting", ["NUMBA_DISABLE_JIT=1", "NUMBA_NUM_THREADS=0", "NUMBA_THREADING_LAYER=no-such"])
+@pytest.mark.parametrize(
+    "setting", ["NUMBA_DISABLE_JIT=1", "NUMBA_NUM_THREADS=0", "NUMBA_NUM_THREADS=x", "NUMBA_THREADING_LAYER=no-such"]
+)
 def test_settings_with_which_nothing_runs_are_named(setting):
     name, _, value = setting.partition("=")
     ran = subprocess.run(

@@ -1,0 +1,44 @@
+"""Walking to a place over open land, and coming to rest there."""
+
+from math import atan2, hypot
+
+from motion.arithmetic.angles import unwrapped
+from motion.characters.dimensions import Dimensions
+from planner.round.round import Me, Round, Wish, biped_of, standing
+from planner.stepping import random
+from planner.stepping.beside import Place, middle_beside
+from planner.stepping.footing import surely
+from planner.stepping.steering import LOOK_STEPS, Onward, lengthened, step_toward
+from worlds.arrays import WorldArrays
+from worlds.compiled.jit import jit_borrowing
+
+STAND_TIME = 0.5
+"""A standing character plans again after this time [s]."""
+TOGETHER = 0.2
+"""Who has arrived brings its feet to within this share of its preferred step of being beside each other."""
+
+
+@jit_borrowing
+def walk_on(
+    biped: Dimensions, world: WorldArrays, middle: Place, heading: float, stop: Place, seed: int, who: tuple[int, int]
+) -> Onward:
+    """A step of the walker whose middle is there on its way to a stop, not beyond it; who: character and step."""
+    (x, y), (character, step) = middle, who
+    dx, dy = stop[0] - x, stop[1] - y
+    far = hypot(dx, dy)
+    right_first = random.uniform(seed, character, 0, random.SIDE) < 0.5
+    look = min(biped.gait.preferred_step * LOOK_STEPS, far)
+    on = step_toward(biped, world, middle, heading, unwrapped(atan2(dy, dx), heading), look, right_first)
+    share = random.near_one(seed, character, step, biped.gait.variation)
+    return lengthened(on, middle, min(far / max(hypot(on.x - x, on.y - y), 1e-9), share))
+
+
+@jit_borrowing
+def arrive(round: Round, me: Me, middle: Place) -> Wish:
+    """At the last stop: the foot behind comes beside the other one, and then it stands."""
+    biped, older, newer = biped_of(round, me), me.feet.older, me.feet.newer
+    x, y = middle_beside(biped, older)
+    if older.side != newer.side and hypot(x - middle[0], y - middle[1]) > TOGETHER * biped.gait.preferred_step:
+        return surely(round, me, middle, newer.heading, newer.heading, False)
+    still = standing(me, STAND_TIME)
+    return Wish(still.step, still.course, still.longest, True, True)

@@ -1,0 +1,46 @@
+"""From ways to a crowd that walks: a world around them, and a motion along each."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from motion.characters.character import Character
+from sim.files.imports.texts import SAID
+from sim.files.imports.trajectories.ways import Way
+from sim.files.imports.walking.fitting import fit
+from sim.files.imports.walking.pace import pace_of
+from sim.files.imports.walking.procession import Procession
+from worlds.compiled.telling import tell
+from worlds.errors import InputError
+from worlds.world import World
+
+MARGIN = 6.0
+"""Ground around the ways [m]: who comes into sight walking has come from somewhere."""
+TOLD = 100
+"""After so many people a word is said of how far the fitting is."""
+
+
+def procession(name: str, ways: Sequence[Way], character: Character) -> Procession:
+    """Everybody as a character along its way. Raises InputError naming whoever cannot walk it."""
+    world, moved = _placed(name, ways)
+    pace, fitted, faults = pace_of(character), [], []
+    for k, way in enumerate(moved):
+        try:
+            fitted.append(fit(way, character, pace, world.arrays))
+        except InputError as error:
+            faults.append(str(error))
+        if (k + 1) % TOLD == 0:
+            tell(f"fitted {k + 1} of {len(moved)} ways")
+    if faults:
+        more = [f"and {len(faults) - SAID} more like these"] if len(faults) > SAID else []
+        raise InputError("\n".join(f"{name}: {fault}" for fault in [*faults[:SAID], *more]))
+    return Procession(world, fitted)
+
+
+def _placed(name: str, ways: Sequence[Way]) -> tuple[World, list[Way]]:
+    """A flat world with the ways in it: its corner is MARGIN before the least x and y."""
+    places = np.vstack([way.place for way in ways])
+    corner = np.floor(places.min(axis=0) - MARGIN)
+    size = np.ceil(places.max(axis=0) - corner + MARGIN)
+    moved = [Way(way.name, way.time, way.place - corner, way.landed) for way in ways]
+    return World(name, (float(size[0]), float(size[1]))), moved

@@ -1,0 +1,1 @@
+"""Worlds to learn in: a footprint is an action."""
