@@ -22,8 +22,9 @@ YIELDS = 0.45
 """How much less than its full length a runner's leg is let come to, in what it may reach less: straight knees pop."""
 FREE_ENDS = 0.25
 """Share of the swing, at either end, over which the first gives way to the second: as far as a standing leg may reach."""
-KNEE_TURN = 0.25
-"""Legs bend half way between body and toes, but turn no farther from the body than this [rad], so that knees keep apart."""
+KNEE_TURN, WITH_TOES = 0.6, 0.65
+"""Legs bend toward the toes, by this share of their turn from the body, but no farther than so much [rad], so that knees keep
+apart and no foot is twisted off its knee."""
 CARRIED_FROM, CARRIED = 4.0, 5.5
 """Swing times, in pendulum times, from which on a foot is carried with the body, and from which on wholly."""
 CARRIED_ENDS, HANGS = 0.35, (0.3, 0.72)
@@ -179,7 +180,7 @@ def pose_leg(biped: Dimensions, footprints: Footprints, n: int, leg: int, body: 
     else:
         pose.point_of_support[c, leg] = np.nan
         toes = _swing(biped, footprints, leg, yaw, t, pose, c)
-    ahead = yaw + KNEE_TURN * np.tanh(0.5 * (toes - yaw) / KNEE_TURN)
+    ahead = yaw + KNEE_TURN * np.tanh(WITH_TOES * (toes - yaw) / KNEE_TURN)
     ankle = pose.ankle[c, leg]
     knee, hock = legs.joints(biped, hip, (ankle[0], ankle[1], ankle[2]), (np.cos(ahead), np.sin(ahead), 0.0))
     _set(pose.knee, c, leg, knee)

@@ -13,7 +13,7 @@ from worlds import queries
 from worlds.arrays import FLAT, SPIRAL_STAIRS, STAIRS, WorldArrays
 from worlds.compiled.jit import jit_borrowing
 
-SAMPLES = 41
+SAMPLES = 61
 """Shares of the swing at which the ground below the foot is asked for."""
 LEVEL_SAMPLES = 11
 """The same on level ground, where only the foot itself, pitched, reaches below its line."""
@@ -21,9 +21,8 @@ SHORT = 0.15
 """A step shorter than this [m] does not roll over the whole foot."""
 HIGH = 1.6
 """A lift above this many clearances has an edge to go over."""
-MOST_RISES, MOST_LEG = 3, 0.65
-"""No lift is above so many of the highest steps, nor, where that is less, above this share of the nominal leg: where an ankle
-rises to the hip, the leg turns over; a corner that is passed at the end of a swing is brushed instead."""
+MOST_RISES = 3
+"""No lift is above so many of the highest steps: whatever lies between needs no more."""
 ROUGH = 0.16
 """Clearance on ground that is not level, in foot lengths, where the gait's own is less: there one lifts the feet."""
 EDGE = 0.02
@@ -124,16 +123,9 @@ def lay_swing(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: 
         smooth = footprints.lift[n]
         footprints.hold[n] = swing.EDGE_HOLD
         footprints.lift[n] = _lift(biped, world, footprints, before, n)
-        if footprints.lift[n] > 0.9 * smooth and smooth < highest_lift(biped):
+        if footprints.lift[n] > 0.9 * smooth and smooth < MOST_RISES * biped.reach.max_rise:
             footprints.hold[n], footprints.lift[n] = swing.HOLD, smooth
     footprints.lift[n] += biped.gait.run_lift * foot.runs(footprints, before) * _pace(biped, footprints, before, n)
-
-
-@jit_borrowing
-def highest_lift(biped: Dimensions) -> float:
-    """No foot is lifted higher above the line between its footprints [m]; over the highest step any foot comes."""
-    least = biped.reach.max_rise + biped.gait.clearance
-    return min(MOST_RISES * biped.reach.max_rise, max(MOST_LEG * biped.leg.nominal_length, least))
 
 
 @jit_borrowing
@@ -166,7 +158,7 @@ def is_level(biped: Dimensions, world: WorldArrays, footprints: Footprints, befo
 @jit_borrowing
 def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before: int, after: int) -> float:
     """Lift [m] with which heel, ball and toe clear the ground below by the gait's clearance at mid-swing."""
-    most, ball = highest_lift(biped), biped.foot.ball_forward
+    most, ball = MOST_RISES * biped.reach.max_rise, biped.foot.ball_forward
     back, ahead = -0.5 * biped.foot.length - ball, 0.5 * biped.foot.length - ball
     footprints.lift[after] = 0.0
     level = is_level(biped, world, footprints, before, after)

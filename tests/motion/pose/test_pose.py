@@ -89,3 +89,13 @@ def test_who_stands_breathes_and_looks_around_and_who_walks_does_not():
     assert 0.3 < np.abs(life[:, 1]).max() <= trunk.LOOKS_AROUND
     assert np.abs(np.diff(life, axis=0)).max() < 0.03  # no jump from frame to frame [rad]
     assert all(trunk.idle_life(b, walking, t) == (0.0, 0.0) for t in (0.0, 7.3))
+
+
+@pytest.mark.parametrize("character", character_names())
+def test_knees_do_not_turn_over_where_a_foot_is_kicked_up_behind(character):
+    b = load_character(character).biped
+    hip, d, knees = (0.0, 0.0, 1.0), 0.7 * b.leg.nominal_length, []
+    for angle in np.linspace(-0.3, 2.2, 500):  # of the leg behind straight down
+        ankle = (-d * np.sin(angle), 0.05 * d, 1.0 - d * np.cos(angle))
+        knees.append(legs.joints(b, hip, ankle, (1.0, 0.0, 0.0))[0])
+    assert np.linalg.norm(np.diff(knees, axis=0), axis=1).max() < 0.02 * b.leg.nominal_length
