@@ -1,6 +1,6 @@
 """The studio's desk: the document that lies on it, what is chosen, what time is shown, and the motion over it. No GL, no imgui.
 
-Every change is an edit of sim.files.studio. While the mouse drags, `preview` shows an edit and solves around it; `drop` does it,
+Every change is an edit of sim.files.studio. While the mouse drags, `preview` shows an edit and solves around it; `drop` does it
 and solves the whole, so the motion that is left depends on the document alone.
 """
 
