@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from imgui_bundle import imgui
 
-from motion.measures.pushes import pushes_of
+from motion.measures.forces import needed_force, supporting_forces
 from planner.script.path import hermite_path
 from planner.script.track import Track
 from sim.files.studio.document import Spot, footprints_in
@@ -137,11 +137,11 @@ class Views:
             pen.draw.add_circle_filled(marks.vector(here), 5 * pen.scale, ink((1, 1, 1)))
             pen.draw.add_circle(marks.vector(here), 5 * pen.scale, ink(theme.TABLE), 16, 1.5)
         if desk.shown.forces:
-            pushes = pushes_of(pose.com[0], pose.com_acceleration[0], pose.point_of_support[0], pose.contact[0])
-            for leg in range(2):
-                if pose.contact[0, leg]:
-                    motions.draw_force(pen, pose.point_of_support[0, leg], pushes.legs[leg], theme.SIDES[leg])
-            motions.draw_force(pen, pose.com[0], pushes.missing, theme.ACCENT)
+            given = supporting_forces(pose.com, pose.com_acceleration, pose.point_of_support, pose.contact)[0]
+            for leg in np.flatnonzero(pose.contact[0]):
+                motions.draw_force(pen, pose.point_of_support[0, leg], given[leg], theme.SIDES[leg])
+            missing = needed_force(pose.com_acceleration)[0] - given.sum(axis=0)
+            motions.draw_force(pen, pose.com[0], missing, theme.ACCENT)
 
     def _tools(self, pen: Pen, desk: Desk) -> None:
         """The box that is drawn, the path that is drawn, the print that would be placed."""
