@@ -12,7 +12,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 VENV = HERE / ".venv"
 LOCKS = {
-    "requirements": ("numpy", "pygame", "moderngl", "numba", "imgui_bundle", "OpenGL", "pydantic", "PIL"),
+    "requirements": ("numpy", "pygame", "moderngl", "numba", "imgui_bundle", "OpenGL", "pydantic", "PIL", "tomlkit"),
     "requirements-video": ("imageio_ffmpeg",),
     "requirements-plots": ("matplotlib",),
     "requirements-test": ("pytest", "hypothesis", "scipy", "mypy", "importlinter", "ruff"),

@@ -6,18 +6,20 @@
 A motion is a function of time: nothing in it is integrated, so any moment can be asked for, in any order.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
 from motion.com import newton, window
-from motion.com.laying import Layout
 from motion.com.newton import Effort
+from motion.com.problem import Layout
 from motion.com.standing import above_feet
-from motion.com.window import Ends, Solved, optimise_track
+from motion.com.window import Solved, Span, optimise_track
 from motion.pose.bones import INDEX, Bones, Placed
 from motion.pose.pose import Pose, empty_pose
 from motion.pose.posing import pose_into
@@ -30,6 +32,14 @@ from worlds.compiled.tables import empty
 
 REST = 0.6
 """Seconds of standing after the last contact, where nothing else is said."""
+
+
+class Pull(NamedTuple):
+    """A soft constraint: a spring that pulls the centre of mass, at one time, toward a place."""
+
+    time: float  # [s]
+    place: tuple[float, float, float]  # [m], world
+    stiffness: float  # [1/s/m]: 30 gives way where it must, 1000 holds
 
 
 @dataclass(frozen=True)
@@ -85,24 +95,34 @@ def placed(bones: Bones, skeleton: Skeleton) -> Placed:
 
 def solve(
     footprints: Footprints, character: Character, end: float | None = None, layout: Layout = window.SCENE,
-    effort: Effort = newton.SCENE,
+    effort: Effort = newton.SCENE, pulls: Sequence[Pull] = (),
 ) -> Motion:  # fmt: skip
     """The motion over timed footprints, from standing on the first two to standing on the last two (paper, section 2).
 
     The curve of the centre of mass begins at the contact of the second footprint and lasts until `end` [s], by default REST
-    after the last contact; the last two stances must last as long. Layout and effort are the solver's.
+    after the last contact; the last two stances must last as long. Layout and effort are the solver's; pulls are soft
+    constraints on the centre of mass.
     """
     if len(footprints.side) < 2:
         raise ValueError(f"{len(footprints.side)} footprints: at least two, to stand on, are needed")
     until = float(footprints.contact_time[-1]) + REST if end is None else float(end)
-    curve, solved = solve_track(character.biped, footprints, until, layout, effort)
+    curve, solved = solve_track(character.biped, footprints, until, springs_of(pulls), layout, effort)
     return Motion(character, footprints, curve, solved)
 
 
+def springs_of(pulls: Sequence[Pull]) -> np.ndarray:
+    """Pulls as rows (P, 5) for kernels: time, place, stiffness."""
+    return np.array([(one.time, *one.place, one.stiffness) for one in pulls], np.float64).reshape(-1, 5)
+
+
 @jit
-def solve_track(biped: Dimensions, footprints: Footprints, end: float, layout: Layout, effort: Effort) -> tuple[Curve, Solved]:
-    """The curve of `solve`, for kernels' arguments."""
-    start, finish = np.empty(6), np.empty(6)
-    above_feet(biped, first(footprints, 2), start)
-    above_feet(biped, footprints, finish)
-    return optimise_track(biped, footprints, Ends(footprints.contact_time[1], end, start, finish), layout, effort)
+def solve_track(
+    biped: Dimensions, footprints: Footprints, end: float, pull: np.ndarray, layout: Layout, effort: Effort
+) -> tuple[Curve, Solved]:
+    """The curve of `solve`, for kernels' arguments; pull (P, 5)."""
+    state = np.empty((2, 6))
+    above_feet(biped, first(footprints, 2), state[0])
+    above_feet(biped, footprints, state[1])
+    span = Span(footprints.contact_time[1], end, state, np.zeros((2, 3)), pull)
+    nothing = Curve(np.zeros(1), np.zeros((1, 6)), np.zeros((1, 2), np.int64))
+    return optimise_track(biped, footprints, span, nothing, layout, effort)

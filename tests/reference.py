@@ -51,18 +51,22 @@ def total_cost(problem, control):
     """E of a motion.com.problem.Problem, sample by sample."""
     segments, samples = len(problem.time) - 1, len(problem.standing)
     e = 0.5 * float(np.repeat(problem.anchor_stiffness, 3) @ (control[-1] - problem.anchor) ** 2)
+    for segment, share, *place, stiffness in problem.pull:
+        t = problem.time[int(segment)] + share * (problem.time[int(segment) + 1] - problem.time[int(segment)])
+        e += 0.5 * stiffness * float(((hermite(problem.time, control, t)[0] - place) ** 2).sum())
     for i in range(segments):
         duration = problem.time[i + 1] - problem.time[i]
         for j in range(samples):
             t = problem.time[i] + (j + 0.5) / samples * duration
             com, _, acceleration = hermite(problem.time, control, t)
             on = problem.standing[j, :, i]
-            part = physics_cost(com, acceleration, list(problem.support_point[j, :, :, i][on]))
+            needed = acceleration + (0, 0, problem.gravity[i] + GRAVITY[2])
+            part = physics_cost(com, needed, list(problem.support_point[j, :, :, i][on]))
             legs = problem.leg_origin[j, :, :, i][on], problem.nominal_length[j, :, i][on]
             part += comfort_cost(com, *legs, problem.max_length[0], problem.comfort_weight * problem.comfort_share[i])
-            over = max(np.linalg.norm(acceleration - GRAVITY) - problem.strength, 0.0)
-            e += (part + problem.strength_weight * over**2) * duration / samples
-        e += problem.jerk_weight * duration * float(np.sum(jerk(problem.time, control, i) ** 2))
+            over = max(np.linalg.norm(needed - GRAVITY) - problem.strength, 0.0)
+            e += problem.weight[i] * (part + problem.strength_weight * over**2) * duration / samples
+        e += problem.weight[i] * problem.jerk_weight * duration * float(np.sum(jerk(problem.time, control, i) ** 2))
         for end in (0, 1):
             if problem.fixed[i + end]:
                 continue

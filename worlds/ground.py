@@ -29,7 +29,9 @@ Format = Annotated[Literal[1], BeforeValidator(_whole)]
 
 
 class Part(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=False)
+    """A table of a file: nothing but its keys, and never changed."""
+
+    model_config = ConfigDict(extra="forbid", strict=False, frozen=True)
 
 
 class _Hills(Part):

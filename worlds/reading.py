@@ -104,13 +104,13 @@ def read_toml(path: Path, what: str, needs: str) -> dict:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     if raw is None:
         raise InputError(f"{path}: more than {LARGEST_FILE} bytes; a {what} file has at most that many")
-    values = _values(path, _text(path, raw))
+    values = _values(path, text_of(path, raw))
     if not values:
         raise InputError(f"{path}: is empty; a {what} needs {needs}")
     return values
 
 
-def _text(path: Path, raw: bytes) -> str:
+def text_of(path: Path, raw: bytes) -> str:
     """What was written, in UTF-8, or in what the first bytes say: editors on Windows put them there."""
     encoding = next((name for mark, name in MARKS if raw.startswith(mark)), "utf-8")
     try:

@@ -30,6 +30,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from motion.arithmetic.gravity import GRAVITY
+from motion.track.curve import Weights
 from worlds.compiled.jit import jit_borrowing, jit_inline
 from worlds.compiled.lanes import choose, larger, root
 
@@ -64,6 +65,12 @@ class ComfortModel(NamedTuple):
     cost: Some
     gradient: Three
     matrix: Lower
+
+
+@jit_inline
+def mix(weights: Weights, u: Any) -> Some:
+    """Sum of the four knots u by their weights."""
+    return weights[0] * u[0] + weights[1] * u[1] + weights[2] * u[2] + weights[3] * u[3]
 
 
 @jit_inline

@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from motion.arithmetic.gravity import GRAVITY
-from motion.com import cost
+from motion.com import cost, springs
 from motion.com import problem as problems
 from motion.com.cost import ComfortModel, Lower, PhysicsModel, Some, Three
 from motion.com.pieces import Pieces, mix_all, pieces_from, weights_at
@@ -166,11 +165,11 @@ def _sum_samples(problem: Problem, pieces: Pieces, i: int, eps: float, equations
     samples = problem.support_point.shape[0]
     equations.blocks[:] = 0.0
     equations.slopes[:] = 0.0
-    e = _add_jerk(problem, pieces, equations)
+    e, gravity = _add_jerk(problem, pieces, equations), load(problem.gravity, (i,))
     for j in range(samples):
         h, bends = weights_at(pieces, (j + 0.5) / samples)
         com, (x, y, z) = mix_all(h, pieces), mix_all(bends, pieces)
-        w = (x, y, z + GRAVITY)
+        w = (x, y, z + gravity)
         physics = problems.physics_of_sample(problem, i, j, com, w, eps)
         left = problems.comfort_of_leg(problem, i, j, LEFT, com)
         right = problems.comfort_of_leg(problem, i, j, RIGHT, com)
@@ -236,8 +235,10 @@ def assemble(problem: Problem, basis: Basis, coefficients: np.ndarray, eps: floa
     equations.band[:] = 0.0
     equations.gradient[:] = 0.0
     m, e = len(problem.time) - 1, _add_anchor(problem, basis, coefficients, equations)
+    for n in range(len(problem.pull)):
+        e += springs.add_pull(problem.pull[n], basis, coefficients, equations.gradient, equations.band)
     for i in range(0, m, LANES):
-        pieces = pieces_from(problem, basis, coefficients, i)
+        pieces = pieces_from(problem.time, problem.weight, problem.support_point.shape[0], basis, coefficients, i)
         e += total(_sum_samples(problem, pieces, i, eps, equations))
         if _overreaches(problem, pieces, i):
             e += _add_reach(problem, basis, coefficients, i, equations)

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from motion.arithmetic.gravity import GRAVITY
 from motion.com.problem import Problem
 from worlds.compiled.jit import jit, jit_borrowing
 
@@ -48,4 +47,4 @@ def _guess_velocity(problem: Problem, control: np.ndarray, i: int) -> None:
             duration = time[segment + 1] - time[segment]
             for axis in range(3):
                 control[i, 3 + axis] = (control[segment + 1, axis] - control[segment, axis]) / duration
-            control[i, 5] += sign * GRAVITY * duration
+            control[i, 5] += sign * problem.gravity[segment] * duration

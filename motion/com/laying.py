@@ -11,7 +11,7 @@ from motion.arithmetic.gravity import GRAVITY, pendulum_time
 from motion.arithmetic.triples import Triple, minus
 from motion.characters.dimensions import Dimensions
 from motion.com import problem as problems
-from motion.com.problem import Problem
+from motion.com.problem import Layout, Problem
 from motion.track import foot, heading, phases
 from motion.track.footprints import LEFT, Footprints
 from motion.track.pelvis import pelvis_between, pelvis_turns
@@ -25,24 +25,19 @@ MIDDLE = 4.5
 """The same in the middle of a walker's single stance on land, where people's legs are straightest."""
 ROCKY = 0.6
 """The same on rocks, where legs give so that the body keeps its pace."""
+SWITCH = 0.005
+"""Time [s] in which the force changes from one leg to another that takes over at once."""
+FULL_FLIGHT, BRIEF = 0.12, 0.3
+"""From this time [s] on a flight changes all that it does beside it; one half as long counts this share: as costs are norms, a
+flight is ballistic or not, and with less weight it comes to be so more slowly as it grows."""
 PIECE = 0.45
 """Length of a piece of a long double stance, in pendulum times."""
 JERK_WEIGHT = 1e-7
 """Of |jerk|^2 [s^3/m]: less lets forces flutter, more rounds them off."""
 STRENGTH = 3.3
 """Forces beyond so many body weights cost."""
-FULL_REACH = 0.9985
-"""Share of max_length from which on reach counts: the penalty gives a little, the leg shall not."""
 LOOK_BACK = 6
 """Footprints before the newest among which a standing one is looked for."""
-
-
-class Layout(NamedTuple):
-    """How a curve is laid out."""
-
-    samples: int  # of the costs in each segment
-    by_step: bool  # a segment per step, as in the paper; else by phases of support
-    smooth: bool  # several segments to a phase, and no jump of the acceleration between segments; else one
 
 
 class Stance(NamedTuple):
@@ -168,23 +163,31 @@ def build_problem(
     if layout.by_step:
         m = phases.merge_by_step(time, support, m)
     if layout.smooth:
-        time, support, share = _in_pieces(biped, footprints, time[: m + 1], support[:m])
+        time, support, share = _in_pieces(biped, footprints, time[: m + 1], support[:m], layout.steady)
         m = len(support)
     leg = biped.leg
     problem = problems.empty_problem(
-        m, layout.samples, leg.nominal_length, FULL_REACH * leg.max_length, leg.comfort_weight, layout.smooth
+        m, layout.samples, leg.nominal_length, foot.FULL_REACH * leg.max_length, leg.comfort_weight, layout.smooth
     )
     if layout.smooth:
-        problem = problems.with_effort(problem, STRENGTH * GRAVITY, JERK_WEIGHT)
+        problem = problems.with_effort(problem, STRENGTH * GRAVITY, JERK_WEIGHT, problem.pull)
         problem.comfort_share[:m] = share
         for i in range(1, m):
             if not _flies(support, i):
                 n = max(support[i, 0], support[i, 1])
                 if _flies(support, i - 1) and n > 0:
-                    problem.end_reach[0, i] = foot.landing_reach(biped, footprints, n)
+                    least = foot.landing_reach(biped, footprints, n)
+                    problem.end_reach[0, i] = least + (1 - least) * (1 - _flown(time, support, i - 1, layout.steady))
                 if _flies(support, i + 1) and n + 1 < len(footprints.side):
-                    problem.end_reach[1, i] = foot.leaving_reach(biped, footprints, n + 1)
+                    least = foot.leaving_reach(biped, footprints, n + 1)
+                    problem.end_reach[1, i] = least + (1 - least) * (1 - _flown(time, support, i + 1, layout.steady))
     problem.time[:] = time[: m + 1]
+    for i in range(m):
+        if layout.steady and _flies(support, i):
+            problem.weight[i] = BRIEF + (1 - BRIEF) * max(2 * _flown(time, support, i, True) - 1, 0.0)
+        n = max(np.searchsorted(footprints.contact_time, 0.5 * (time[i] + time[i + 1]), side="right") - 1, 0)
+        problem.gravity[i] *= footprints.gravity[n]
+        problem.comfort_share[i] *= footprints.comfort[n]
     lay_samples(biped, footprints, problem, support, layout.by_step)
     return problem, support[:m]
 
@@ -202,36 +205,58 @@ def _on_rock(footprints: Footprints, support: np.ndarray, i: int) -> bool:
     return (left >= 0 and footprints.rock[left] >= 0) or (right >= 0 and footprints.rock[right] >= 0)
 
 
+@jit_borrowing
+def _switches(support: np.ndarray, i: int) -> bool:
+    """Whether after phase i one foot takes over from another, with neither an overlap nor a flight between."""
+    n = min(i + 1, len(support) - 1)
+    before, after = phases.phase_of(support[i, 0], support[i, 1]), phases.phase_of(support[n, 0], support[n, 1])
+    return before != after and max(before, after) < phases.DOUBLE_STANCE
+
+
+@jit_borrowing
+def _flown(time: np.ndarray, support: np.ndarray, i: int, steady: bool) -> float:
+    """How much of a flight phase i is, 0 to 1; steady: a brief one is less of it, so that none begins with a jump."""
+    whole = 1.0 if _flies(support, i) else 0.0
+    return min((time[i + 1] - time[i]) / FULL_FLIGHT, 1.0) if steady and whole else whole
+
+
 @jit
 def _in_pieces(
-    biped: Dimensions, footprints: Footprints, time: np.ndarray, support: np.ndarray
+    biped: Dimensions, footprints: Footprints, time: np.ndarray, support: np.ndarray, steady: bool
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Phases in equal pieces: a single stance in SINGLE, as its force rises and falls; others by their time, a flight in one.
 
     Returns the times, supports and shares of comfort of the pieces. Beside a flight there are more, and comfort counts less.
+    Steady: their number does not depend on times; where one foot takes over at once, the force may change within SWITCH.
     """
     counts, unit = np.ones(len(support), np.int64), PIECE * pendulum_time(biped.leg.nominal_length)
+    switch = np.zeros(len(support), np.bool_)
     for i in range(len(support)):
         pieces = int(round((time[i + 1] - time[i]) / unit))
-        if _flies(support, i - 1) or _flies(support, i + 1):
+        if steady and not _flies(support, i):
+            counts[i] = SINGLE if min(support[i, 0], support[i, 1]) >= 0 else 2 * SINGLE
+        elif _flies(support, i - 1) or _flies(support, i + 1):
             counts[i] = min(max(2 * pieces, SINGLE), 2 * SINGLE)
         elif phases.phase_of(support[i, 0], support[i, 1]) == phases.DOUBLE_STANCE:
             counts[i] = min(max(pieces, 1), SINGLE)
         elif not _flies(support, i):
             counts[i] = SINGLE
-    total = counts.sum()
+        switch[i] = steady and time[i + 1] - time[i] > 4 * SWITCH and _switches(support, i)
+    total = counts.sum() + switch.sum()
     out, stand, share = np.empty(total + 1), np.empty((total, 2), np.int64), np.ones(total)
     n = 0
     for i in range(len(support)):
-        for k in range(counts[i]):
-            out[n] = time[i] + k * (time[i + 1] - time[i]) / counts[i]
+        single = counts[i] >= SINGLE and min(support[i, 0], support[i, 1]) < 0
+        for k in range(counts[i] + switch[i]):
+            out[n] = time[i] + k * (time[i + 1] - time[i]) / counts[i] if k < counts[i] else time[i + 1] - SWITCH
             stand[n, 0], stand[n, 1] = support[i, 0], support[i, 1]
-            if _flies(support, i - 1) or _flies(support, i + 1):
-                share[n] = SPRINGY
-            elif _on_rock(footprints, support, i):
+            flown = max(_flown(time, support, i - 1, steady), _flown(time, support, i + 1, steady))
+            if flown < 1 and _on_rock(footprints, support, i):
                 share[n] = ROCKY
-            elif counts[i] == SINGLE and k == 1 and min(support[i, 0], support[i, 1]) < 0:
+            elif flown < 1 and single and counts[i] <= SINGLE * k < 2 * counts[i]:
                 share[n] = MIDDLE
+            if flown > 0:
+                share[n] = SPRINGY + (share[n] - SPRINGY) * (1 - flown) if flown < 1 else SPRINGY
             n += 1
     out[n] = time[-1]
     return out, stand, share

@@ -4,8 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.com.cost import Some, Three
-from motion.com.problem import Problem, mix
+from motion.com.cost import Some, Three, mix
 from motion.track.basis import Basis
 from motion.track.curve import Weights
 from worlds.compiled.jit import jit_inline
@@ -43,16 +42,17 @@ def _along(coefficients: np.ndarray, at: tuple[int, int, int, int], axis: int) -
 
 
 @jit_inline
-def pieces_from(problem: Problem, basis: Basis, coefficients: np.ndarray, i: int) -> Pieces:
-    """The Pieces from i on."""
-    time, last, first = problem.time, len(problem.time) - 2, basis.first
+def pieces_from(time: np.ndarray, weight: np.ndarray, samples: int, basis: Basis, coefficients: np.ndarray, i: int) -> Pieces:
+    """The Pieces from i on, of those between time (m + 1,), of weight (M,), with so many samples each."""
+    last, first = len(time) - 2, basis.first
     j, k, n = min(i + 1, last), min(i + 2, last), min(i + 3, last)
     duration = lanes_of(time[i + 1] - time[i], time[j + 1] - time[j], time[k + 1] - time[k], time[n + 1] - time[n])
     counts = lanes_of(1.0, min(last - i, 1), min(max(last - i - 1, 0), 1), min(max(last - i - 2, 0), 1))
     at = (first[i], first[j], first[k], first[n])
+    scale = load(weight, (i,)) * counts * duration / samples
     powers = (_powers(basis, 0, i), _powers(basis, 1, i), _powers(basis, 2, i), _powers(basis, 3, i))
     return Pieces(
-        duration, counts * duration / problem.support_point.shape[0], 1 / (duration * duration), powers,
+        duration, scale, 1 / (duration * duration), powers,
         _along(coefficients, at, 0), _along(coefficients, at, 1), _along(coefficients, at, 2),
     )  # fmt: skip
 

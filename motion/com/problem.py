@@ -7,13 +7,13 @@ begins) is laid down once; solvers then only move control points. Segments lie s
 that LANES of them are worked on at once (worlds.compiled.lanes).
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from motion.arithmetic.gravity import GRAVITY
-from motion.com import cost
-from motion.com.cost import ComfortModel, PhysicsModel, Some, Three
+from motion.com import cost, springs
+from motion.com.cost import ComfortModel, PhysicsModel, Some, Three, mix
 from motion.track.curve import Weights, acceleration_weights, position_weights
 from motion.track.footprints import LEFT, RIGHT
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
@@ -21,6 +21,15 @@ from worlds.compiled.lanes import LANES, anywhere, lanes_of, load, total
 
 STRENGTH_WEIGHT = 0.05
 """Of what a force is beyond the strength of the legs, squared [s^2/m]."""
+
+
+class Layout(NamedTuple):
+    """How a curve is laid out."""
+
+    samples: int  # of the costs in each segment
+    by_step: bool  # a segment per step, as in the paper; else by phases of support
+    smooth: bool  # several segments to a phase, and no jump of the acceleration between segments; else one
+    steady: bool  # and so many that the curve moves by no jump where timing is changed little by little
 
 
 class Problem(NamedTuple):
@@ -45,6 +54,9 @@ class Problem(NamedTuple):
     jerk_weight: float  # of |jerk|^2 [s^3/m]
     smooth: bool  # the acceleration may not jump between segments
     bend: np.ndarray  # (2, 3) acceleration where a smooth curve begins and ends, if those are fixed [m/s^2]
+    weight: np.ndarray  # (M,) with which each segment's samples count
+    gravity: np.ndarray  # (M,) that each segment reckons with, downward [m/s^2]
+    pull: np.ndarray  # (P, springs.PULL) soft springs on the com
 
 
 @jit
@@ -73,17 +85,20 @@ def empty_problem(
         0.0,
         smooth,
         np.zeros((2, 3)),
+        np.ones(wide),
+        np.full(wide, GRAVITY),
+        np.zeros((0, springs.PULL)),
     )
 
 
 @jit
-def with_effort(problem: Problem, strength: float, jerk_weight: float) -> Problem:
-    """The same problem in which forces beyond `strength` [m/s^2], and jerk, cost."""
+def with_effort(problem: Problem, strength: float, jerk_weight: float, pull: np.ndarray) -> Problem:
+    """The same problem in which forces beyond `strength` [m/s^2], and jerk, cost, with springs (P, PULL) that pull the com."""
     p = problem
     return Problem(
         p.time, p.support_point, p.leg_origin, p.standing, p.end_origin, p.end_standing, p.end_reach, p.fixed,
         p.nominal_length, p.max_length, p.anchor, p.anchor_stiffness, p.comfort_weight, p.comfort_share, strength,
-        p.strength_weight, jerk_weight, p.smooth, p.bend,
+        p.strength_weight, jerk_weight, p.smooth, p.bend, p.weight, p.gravity, pull,
     )  # fmt: skip
 
 
@@ -120,7 +135,7 @@ def segments_from(problem: Problem, control: np.ndarray, i: int) -> Segments:
     counts = lanes_of(1.0, min(last - i, 1), min(max(last - i - 1, 0), 1), min(max(last - i - 2, 0), 1))
     return Segments(
         duration,
-        counts * duration / problem.support_point.shape[0],
+        load(problem.weight, (i,)) * counts * duration / problem.support_point.shape[0],
         1 / (duration * duration),
         _knots(control, at, duration, 0),
         _knots(control, at, duration, 1),
@@ -129,18 +144,12 @@ def segments_from(problem: Problem, control: np.ndarray, i: int) -> Segments:
 
 
 @jit_inline
-def mix(weights: Weights, u: Any) -> Some:
-    """Sum of the four knots u by their weights."""
-    return weights[0] * u[0] + weights[1] * u[1] + weights[2] * u[2] + weights[3] * u[3]
-
-
-@jit_inline
-def state_of_sample(segments: Segments, h: Weights, bends: Weights) -> tuple[Three, Three]:
+def state_of_sample(segments: Segments, gravity: Some, h: Weights, bends: Weights) -> tuple[Three, Three]:
     """com and needed force w = a - g, by the knots' weights h in the com and `bends` in the acceleration, for T = 1."""
     x, y, z = segments.x, segments.y, segments.z
     com = (mix(h, x), mix(h, y), mix(h, z))
     bend = segments.bend
-    return com, (bend * mix(bends, x), bend * mix(bends, y), bend * mix(bends, z) + GRAVITY)
+    return com, (bend * mix(bends, x), bend * mix(bends, y), bend * mix(bends, z) + gravity)
 
 
 @jit_inline
@@ -217,12 +226,12 @@ def _jerk_cost(problem: Problem, segments: Segments) -> Some:
 def costs_from(problem: Problem, control: np.ndarray, i: int, eps: float) -> tuple[float, float]:
     """The share in E of the LANES segments from i on: (as the solver smooths it, the true norm)."""
     samples = problem.support_point.shape[0]
-    segments = segments_from(problem, control, i)
+    segments, gravity = segments_from(problem, control, i), load(problem.gravity, (i,))
     smooth, true = 0.0 * segments.scale, _jerk_cost(problem, segments)
     smooth += true
     for j in range(samples):
         s = (j + 0.5) / samples
-        com, w = state_of_sample(segments, position_weights(s, 1.0), acceleration_weights(s, 1.0))
+        com, w = state_of_sample(segments, gravity, position_weights(s, 1.0), acceleration_weights(s, 1.0))
         r = physics_of_sample(problem, i, j, com, w, eps).size
         comfort = comfort_of_leg(problem, i, j, LEFT, com).cost + comfort_of_leg(problem, i, j, RIGHT, com).cost
         comfort += cost.strength_model(w, problem.strength, problem.strength_weight).size
@@ -233,18 +242,12 @@ def costs_from(problem: Problem, control: np.ndarray, i: int, eps: float) -> tup
 
 
 @jit_borrowing
-def anchor_cost(problem: Problem, control: np.ndarray) -> float:
-    """Energy of the springs that hold the last control point."""
-    e, last = 0.0, len(control) - 1
-    for k in range(6):
-        e += 0.5 * problem.anchor_stiffness[k // 3] * (control[last, k] - problem.anchor[k]) ** 2
-    return e
-
-
-@jit_borrowing
 def total_costs(problem: Problem, control: np.ndarray, eps: float) -> tuple[float, float]:
     """E of control (m + 1, 6): (smoothed, true)."""
-    smooth = true = anchor_cost(problem, control)
+    smooth = true = springs.anchor_cost(problem.anchor, problem.anchor_stiffness, control)
+    if len(problem.pull):
+        pulled = springs.pull_cost(problem.pull, problem.time, control)
+        smooth, true = smooth + pulled, true + pulled
     for i in range(0, len(problem.time) - 1, LANES):
         smooth_part, true_part = costs_from(problem, control, i, eps)
         smooth += smooth_part

@@ -11,19 +11,21 @@ import numpy as np
 
 from motion.characters.dimensions import Dimensions
 from motion.com import guess, laying, newton
-from motion.com.laying import Layout
+from motion.com import problem as problems
 from motion.com.newton import Effort
-from motion.com.problem import Problem
+from motion.com.problem import Layout, Problem
 from motion.com.standing import above_feet
-from motion.track.curve import Curve, end_acceleration, evaluate, up_to
+from motion.track.curve import Curve, end_acceleration, evaluate, segment_at, up_to
 from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit, jit_borrowing
 
-LIVE = Layout(3, False, True)
+LIVE = Layout(3, False, True, False)
 """Of the live window: the residual is nearly linear in a piece, three samples find it."""
-SCENE = Layout(5, False, True)
+SCENE = Layout(5, False, True, False)
 """Of tracks that are solved as a whole."""
-LAYOUTS = {"smooth": SCENE, "phase": Layout(10, False, False), "step": Layout(10, True, False)}
+STEADY = Layout(3, False, True, True)
+"""Of tracks whose timing is shaped by hand: more pieces, and the curve follows the timing without a jump."""
+LAYOUTS = {"smooth": SCENE, "steady": STEADY, "phase": Layout(10, False, False, False), "step": Layout(10, True, False, False)}
 """By name: several segments to a phase, with continuous forces; one to a phase; one to a step, as in the paper."""
 ANCHOR_STIFFNESS = (10.0, 1.0)
 """Of the window's end, position [1/s/m] and velocity [s/m]: more steadies the end, and insists on a foreseen state."""
@@ -35,13 +37,14 @@ IRREGULAR = 1.5
 """Ratio of two strides' times from which on one says nothing about the other."""
 
 
-class Ends(NamedTuple):
-    """Where a whole motion begins and ends."""
+class Span(NamedTuple):
+    """A whole motion, or a part of one, between two states that stay."""
 
     begin: float  # [s]
     end: float  # [s]
-    start: np.ndarray  # (6,) position and velocity of the com
-    finish: np.ndarray  # (6,)
+    state: np.ndarray  # (2, 6) position and velocity of the com at either end
+    bend: np.ndarray  # (2, 3) its acceleration there
+    pull: np.ndarray  # (P, 5) soft springs on the com: time [s], place [m], stiffness [1/s/m]
 
 
 class Solved(NamedTuple):
@@ -135,17 +138,41 @@ def begin_window(
 
 @jit
 def optimise_track(
-    biped: Dimensions, footprints: Footprints, ends: Ends, layout: Layout, effort: Effort
+    biped: Dimensions, footprints: Footprints, span: Span, guess_curve: Curve, layout: Layout, effort: Effort
 ) -> tuple[Curve, Solved]:
-    """Optimises a whole motion from its start to its finish."""
-    problem, support = laying.build_problem(biped, footprints, ends.begin, ends.end, layout)
-    control, stand = np.zeros((len(problem.time), 6)), np.full((len(problem.time), 2), -1)
-    control[0], control[-1] = ends.start, ends.finish
-    problem.fixed[0] = problem.fixed[-1] = True
-    guess.straight_guess(problem, control, 1)
+    """Optimises a motion, or a part of one, from a curve over the same time, or from none (of one row).
+
+    At its ends position, velocity and, of a smooth curve, acceleration are fixed: what is before and after fits on.
+    """
+    problem, support = laying.build_problem(biped, footprints, span.begin, span.end, layout)
+    problem = problems.with_effort(problem, problem.strength, problem.jerk_weight, _pulls(problem.time, span.pull))
+    last = len(problem.time) - 1
+    control, stand = np.zeros((last + 1, 6)), np.full((last + 1, 2), -1)
+    control[0], control[last] = span.state[0], span.state[1]
+    problem.bend[:] = span.bend
+    problem.fixed[0] = problem.fixed[last] = True
+    if len(guess_curve.time) > 1:
+        scratch = np.empty(3)
+        for i in range(1, last):
+            evaluate(guess_curve, problem.time[i], control[i, :3], control[i, 3:], scratch)
+    else:
+        guess.straight_guess(problem, control, 1)
     e, iterations = newton.minimise(problem, control, effort)
     stand[:-1] = support
     return Curve(problem.time, control, stand), Solved(e, iterations)
+
+
+@jit
+def _pulls(time: np.ndarray, pull: np.ndarray) -> np.ndarray:
+    """Springs (P, 5) by their times as springs by segments, those within the time (m + 1,) of the segments."""
+    out, kept = np.zeros((len(pull), pull.shape[1] + 1)), 0
+    for n in range(len(pull)):
+        if time[0] < pull[n, 0] < time[-1]:
+            i = segment_at(time, pull[n, 0])
+            out[kept, 0], out[kept, 1] = i, (pull[n, 0] - time[i]) / (time[i + 1] - time[i])
+            out[kept, 2:] = pull[n, 1:]
+            kept += 1
+    return out[:kept]
 
 
 @jit_borrowing

@@ -23,6 +23,8 @@ WALKING_RATE, RUNNING_RATE, RUNNERS_LESS = 3.0, 1.4, 0.26
 """Slope of the heel-off at its end, walking and running, and the share by which a runner's foot leaves less pitched."""
 FLAT_BY = 0.22
 """Share of the stance by which a foot that has landed on its heel lies flat."""
+FULL_REACH = 0.9985
+"""Share of max_length from which on reach counts: the penalty gives a little, the leg shall not."""
 LOADING_ENDS, PUSH_BEGINS = 0.6, 0.75
 """Shares of the stance: until when a leg gives to the load, and from when on it bends to leave."""
 LANDING, LEAVING, SOFTER, LEAST_REACH = 0.985, 0.99, 0.06, 0.94

@@ -36,6 +36,10 @@ STEP = np.dtype([(name, np.int64 if name == "side" else np.float64) for name in 
 """A Step in an array of them."""
 
 
+Share = Annotated[np.ndarray, Column(fill=1.0)]
+"""1 where nothing else is said."""
+
+
 class Footprints(NamedTuple):
     """n footprints in the order of their contacts; world frame, SI units.
 
@@ -58,6 +62,8 @@ class Footprints(NamedTuple):
     lift: Numbers  # (n,) height of the swing that arrives here above the line between its ends [m]
     hold: Numbers  # (n,) share of that swing, at either end, in which the foot goes only up or down
     strike: Numbers  # (n,) how far the toes are up when it lands on its heel; the heel, below 0 [rad]
+    gravity: Share  # (n,) share of gravity that the motion reckons with from its contact to the next
+    comfort: Share  # (n,) share of the comfort weight there
 
 
 class Foot(NamedTuple):

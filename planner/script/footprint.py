@@ -8,6 +8,7 @@ from worlds.ground import Finite, Part, Point
 
 Seconds = Annotated[float, Field(gt=0, le=60, allow_inf_nan=False, strict=True)]
 Pause = Annotated[float, Field(ge=0, le=60, allow_inf_nan=False, strict=True)]
+Moment = Annotated[float, Field(gt=0, le=10_000, allow_inf_nan=False, strict=True)]
 Crouch = Annotated[float, Field(ge=0.5, le=1.05, allow_inf_nan=False, strict=True)]
 
 
@@ -23,3 +24,4 @@ class Footprint(Part):
     crouch: Crouch = 1.0  # share of the nominal leg length
     facing_deg: Finite = 0.0  # the body turns away from the feet
     inferred: bool = False  # nobody has seen it: it was put where a missing one must have been
+    at: Moment | None = None  # it is there at this time of the scene: the steps before share the difference

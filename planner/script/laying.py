@@ -1,6 +1,7 @@
 """From given footprints to footprints as they are walked: laid on the ground, timed, swings lifted over what lies between."""
 
-from math import nan, radians
+from math import isnan, nan, radians
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,8 +20,17 @@ from worlds.errors import InputError
 
 SUPPORTS = {"roll": nan, "middle": 0.5, "toe": 1.0}
 """Where a standing foot presses: at one share of the sole throughout, heel to toe (paper, section 2.4), or NaN: it rolls."""
+LEAST_SHARE = 0.2
+"""Of its automatic time, which a step keeps that makes up for a given time of arrival; at most it is as many times as long."""
 SHORTEST_SWING = 0.05
 """A foot must have left for this long [s] before it lands again."""
+
+
+class Laid(NamedTuple):
+    """Footprints to walk, and which of them each given one became."""
+
+    footprints: Footprints  # (n,)
+    row: np.ndarray  # (len(given),) row of each given footprint; the rows between stand on
 
 
 def laid(
@@ -33,15 +43,52 @@ def laid(
     the distance stepped (paper, section 4.1). world: the ground, flat without one. Raises InputError, which says `name`, where
     feet cannot do that.
     """
-    steps = _steps(given, stand_before, name)
+    return lay(given, character, world, stand_before, stand_after, support, name).footprints
+
+
+def lay(
+    given: list[Footprint], character: Character, world: WorldArrays | None = None, stand_before: float = 0.4,
+    stand_after: float = 0.6, support: str = "roll", name: str = "track",
+) -> Laid:  # fmt: skip
+    """As `laid`, and where in it the given footprints are."""
+    steps, row = _steps(given, stand_before, name)
     footprints = empty(Footprints, len(steps) + 2)
     headings = _headings(given)
     first = np.array([(*given[i].position, headings[i]) for i in range(2)])
     ground = no_world() if world is None else world
     biped, side = character.biped, SIDES.index(given[1].side)
     lay_steps(biped, ground, footprints, side, first, steps, SUPPORTS[support], stand_after)
+    if any(one.at is not None for one in given):
+        _pin(steps, footprints, given, row, name)
+        lay_steps(biped, ground, footprints, side, first, steps, SUPPORTS[support], stand_after)
     _check(footprints, name)
-    return footprints
+    return Laid(footprints, row)
+
+
+def _pin(steps: np.ndarray, footprints: Footprints, given: list[Footprint], row: np.ndarray, name: str) -> None:
+    """Stretches or shortens the steps before each footprint that is to be there `at` a time, all by the same share.
+
+    They are those since the footprint before it that has such a time, or since the beginning; a stance that is given goes with
+    its step, the others keep their shares by themselves. Raises InputError where two such times leave no time between them.
+    """
+    before, since = 1, float(footprints.contact_time[1])
+    for i, one in enumerate(given):
+        if one.at is None or i < 2:
+            continue
+        n, now = int(row[i]), float(footprints.contact_time[row[i]])
+        start = float(footprints.contact_time[before])
+        share = (one.at - since) / max(now - start, 1e-9)
+        if not LEAST_SHARE <= share <= 1 / LEAST_SHARE:
+            raise InputError(
+                f"{name}: footprint.{i}.at = {one.at:g} s: {one.at - since:.2f} s after the last time that is given, at "
+                f"{since:.2f} s; the steps between take {now - start:.2f} s by themselves, and can be made "
+                f"{1 / LEAST_SHARE:g} times as quick or slow; give a later or an earlier time"
+            )
+        for k in range(before, n):
+            steps["time"][k - 1] = share * footprints.step_time[k]
+            if not isnan(steps["stance_time"][k - 1]):
+                steps["stance_time"][k - 1] *= share
+        before, since = n, one.at
 
 
 @jit
@@ -68,25 +115,27 @@ def _headings(given: list[Footprint]) -> np.ndarray:
     return np.unwrap(np.radians([footprint.heading_deg for footprint in given]))
 
 
-def _steps(given: list[Footprint], stand_before: float, name: str) -> np.ndarray:
-    """The steps (K,) STEP after the first two footprints: onto each one, or standing on. Raises InputError."""
-    if len(given) < 3:
-        raise InputError(f"{name}: {len(given)} footprints; at least three are needed: two to stand on, and a step")
-    steps, headings = [], _headings(given)
-    if stand_before:
-        steps += _standing(given, 1, given[2].side, stand_before, headings)
+def _steps(given: list[Footprint], stand_before: float, name: str) -> tuple[np.ndarray, np.ndarray]:
+    """The steps (K,) STEP after the first two footprints: onto each one, or standing on; and the row that each given one
+    becomes. Raises InputError."""
+    if len(given) < 2:
+        raise InputError(f"{name}: {len(given)} footprints; at least two are needed, to stand on")
+    steps, headings, row = list[Step](), _headings(given), np.arange(len(given))
+    if stand_before or len(given) == 2:
+        steps += _standing(given, 1, given[2 % len(given)].side, stand_before or STAND_TIME, headings)
     for i in range(2, len(given)):
         before, footprint = given[i - 1], given[i]
         time, stance = (nan if t is None else t for t in (before.step_time, before.stance_time))
         side, facing = SIDES.index(footprint.side), radians(footprint.facing_deg)
         x, y = footprint.position
+        row[i] = len(steps) + 2
         steps.append(Step(side, x, y, headings[i], time, stance, 0.0, footprint.crouch, facing))
         if footprint.stand:
             if before.side == footprint.side:
                 raise InputError(f"{name}: footprint.{i}.stand: after a hop the other foot is in the air; add its footprint")
             following = given[i + 1].side if i + 1 < len(given) else before.side
             steps += _standing(given, i, following, footprint.stand, headings)
-    return np.array(steps, STEP)
+    return np.array(steps, STEP), row
 
 
 def _standing(given: list[Footprint], i: int, following: str, seconds: float, headings: np.ndarray) -> list[Step]:

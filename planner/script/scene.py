@@ -1,14 +1,19 @@
-"""Scene files: a character, a world, and a scripted track: footprints one by one, or a path to lay them along."""
+"""Scene files: a world, and one or several characters, each with a scripted track: footprints one by one, or along paths.
 
-from dataclasses import dataclass
+The keys of a scene's first track may stand at the top of the file; further ones are `[[track]]` tables.
+"""
+
+from dataclasses import dataclass, replace
 from pathlib import Path as FilePath
-from typing import Literal
+from typing import Annotated, Any
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
-from motion.characters.character import Character, Scale
-from planner.script.footprint import Footprint, Pause
-from planner.script.path import Path, footprints_along
+from motion.characters.character import Character
+from planner.script import track as tracks
+from planner.script.footprint import Footprint
+from planner.script.path import Path
+from planner.script.track import Track
 from worlds import ground, reading
 from worlds.contents import checks
 from worlds.errors import InputError
@@ -16,29 +21,41 @@ from worlds.ground import Ground
 from worlds.world import World
 
 SCENES = FilePath(__file__).parent / "scenes"
+NEEDS = "format, name, character, [world] and [[footprint]] or [path]"
 
 
-class _Scene(Ground):
+class Sheet(Ground, Track):
+    """A scene as its file has it, finished or not."""
+
     about: str = ""
     figure: str = ""
-    character: str = "human"
-    character_scale: Scale = 1.0  # how much larger it is than its file says
-    stand_before: Pause = 0.4
-    stand_after: Pause = 0.6
-    support: Literal["roll", "middle", "toe"] = "roll"  # where a standing foot presses: heel to toe, or the paper's either-or
-    segments: Literal["smooth", "phase", "step"] = "smooth"  # of the com's curve: with continuous forces, or one to each
-    footprint: list[Footprint] = []
-    path: Path | None = None
+    track: Annotated[tuple[Track, ...], Field(max_length=64)] = ()
+
+    def all_tracks(self) -> tuple[Track, ...]:
+        """The tracks: that at the top of the file first, if there is one."""
+        top = Track.model_construct(**{key: getattr(self, key) for key in Track.model_fields})
+        return self.track if self.track and not (top.footprint or top.path) else (top, *self.track)
+
+
+class _Finished(Sheet):
+    """A scene that can be played."""
 
     @model_validator(mode="after")
-    def _one_track(self) -> "_Scene":
-        if bool(self.footprint) == bool(self.path):
-            raise ValueError("give either [[footprint]] or [path]")
-        if 0 < len(self.footprint) < 3:
-            raise ValueError("footprint: at least three: two to stand on, and a step")
-        if self.footprint and self.footprint[0].side == self.footprint[1].side:
-            raise ValueError("footprint.1.side: the first two are stood on, one left and one right")
+    def _whole(self) -> "_Finished":
+        for k, track in enumerate(self.all_tracks()):
+            _check(track, f"track.{k}." if k else "")
         return self
+
+
+def _check(track: Track, at: str) -> None:
+    """Whether a track can be walked from standing. Raises ValueError."""
+    if not track.footprint and not track.path:
+        raise ValueError(f"{at}: give either [[footprint]] or [path], or both" if at else "give either [[footprint]] or [path]")
+    if not track.path and len(track.footprint) < 3:
+        raise ValueError(f"{at}footprint: at least three: two to stand on, and a step")
+    first = track.footprint[:2]
+    if len(first) == 2 and not any(path.after < 2 for path in track.path) and first[0].side == first[1].side:
+        raise ValueError(f"{at}footprint.1.side: the first two are stood on, one left and one right")
 
 
 @dataclass(frozen=True)
@@ -47,23 +64,27 @@ class Scene:
 
     name: str
     world: World
-    footprints: tuple[Footprint, ...] = ()  # or a path
-    path: Path | None = None
-    character: str = "human"
-    character_scale: float = 1.0
-    stand_before: float = 0.4
-    stand_after: float = 0.6
-    support: str = "roll"
-    segments: str = "smooth"
+    tracks: tuple[Track, ...]
     about: str = ""
     figure: str = ""
 
+    @property
+    def track(self) -> Track:
+        """The first."""
+        return self.tracks[0]
+
+    def changed(self, **keys: Any) -> "Scene":
+        """The same with other keys of its first track."""
+        return replace(self, tracks=(self.track.model_copy(update=keys), *self.tracks[1:]))
+
     def footprints_of(self, character: Character) -> list[Footprint]:
-        """Its footprints, those along a path laid out for a character; the first two are stood on."""
-        return list(self.footprints) if self.path is None else footprints_along(self.path, character)
+        """The footprints of the first track, those along a path laid out for a character; the first two are stood on."""
+        return tracks.footprints_of(self.track, character)
 
 
-_PLAIN = ("name", "about", "figure", "character", "character_scale", "stand_before", "stand_after", "support", "segments")
+def one_track(name: str, world: World, path: Path | None = None, **keys: Any) -> Scene:
+    """A scene of one track, with these keys of Track."""
+    return Scene(name, world, (Track(path=() if path is None else (path,), **keys),))
 
 
 def scene_names() -> list[str]:
@@ -74,11 +95,38 @@ def scene_names() -> list[str]:
 def load_scene(name_or_path: str | FilePath) -> Scene:
     """A shipped scene by name, or any scene file by path. Raises InputError naming every fault."""
     path = reading.named_file(SCENES, name_or_path, "scene")
-    file = reading.read_model(path, _Scene, "scene", "format, name, character, [world] and [[footprint]] or [path]")
-    start = file.footprint[0].position if file.footprint else file.path.points[0]  # type: ignore[union-attr]
-    world, faults = ground.build(path, file, start, 0.0)
+    return scene_of(path, read_sheet(path, _Finished))
+
+
+def read_sheet(path: FilePath, kind: type[Sheet] = Sheet) -> Sheet:
+    """A scene file's keys, finished or not. Raises InputError naming every fault."""
+    plain = reading.read_toml(path, "scene", NEEDS)
+    try:
+        return reading.checked(path, plain, kind)
+    except InputError as error:  # one path may be written as a table: it has no number then
+        one = isinstance(plain.get("path"), dict)
+        raise InputError(str(error).replace(": path.0.", ": path.") if one else str(error)) from None
+
+
+def scene_of(path: FilePath, sheet: Sheet) -> Scene:
+    """The scene that a file's keys make; heightmaps lie beside `path`. Raises InputError naming every fault."""
+    return Scene(sheet.name, world_of(path, sheet), sheet.all_tracks(), sheet.about, sheet.figure)
+
+
+def world_of(path: FilePath, sheet: Sheet) -> World:
+    """The world of a scene. Raises InputError naming every fault."""
+    world, faults = ground.build(path, sheet, _start(sheet), 0.0)
     faults += checks.faults(world)
     if faults:
         raise InputError("\n".join(f"{path}: {fault}" for fault in faults))
-    plain = {key: getattr(file, key) for key in _PLAIN}
-    return Scene(world=world, footprints=tuple(file.footprint), path=file.path, **plain)
+    return world
+
+
+def _start(sheet: Sheet) -> tuple[float, float]:
+    """Where its first track begins, or the middle of the world."""
+    for track in sheet.all_tracks():
+        if track.footprint:
+            return track.footprint[0].position
+        if track.path:
+            return track.path[0].points[0]
+    return 0.5 * sheet.world.size[0], 0.5 * sheet.world.size[1]

@@ -49,7 +49,7 @@ def trackway(options: Any) -> int:
 
 def _review(scene: Scene, path: str) -> None:
     """Says what will be ugly. Raises InputError for what cannot be walked."""
-    review(list(scene.footprints), walker(scene), scene.world.arrays, path)
+    review(list(scene.track.footprint), walker(scene), scene.world.arrays, path)
 
 
 def _chosen(found: list[Prints], trackway: int | None) -> list[int]:

@@ -12,6 +12,7 @@ COMMANDS = {
     "wander": "walks.walk",
     "river": "walks.walk",
     "play": "scenes.play",
+    "edit": "show.edit",
     "sheets": "scenes.sheets",
     "check": "scenes.check",
     "export": "exporting.export",

@@ -20,6 +20,9 @@ DEFAULTS: dict[str, dict[str, Any]] = {
 """What is meant where nothing is typed; `given` keeps what was."""
 
 
+SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 3.0)
+
+
 class _Parser(argparse.ArgumentParser):
     """Names what is nearest to a misspelt word."""
 
@@ -93,6 +96,13 @@ def _add_runs(commands: argparse._SubParsersAction) -> None:
     play = commands.add_parser("play", help="play a scripted scene: footprints from a file")
     play.add_argument("level", nargs="?", metavar="SCENE", help="a scene that ships, or a .toml file")
     play.add_argument("--list", action="store_true", help="name the scenes that ship")
+    edit = commands.add_parser("edit", help="the studio: place footprints, shape their timing, see the motion at once")
+    edit.add_argument("level", nargs="?", metavar="SCENE", help="a scene that ships, or a .toml file; without one, a new scene")
+    edit.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
+    edit.add_argument("--scale", type=float, default=1.0, choices=SCALES, help="of letters: 2 on screens of twice the pixels")
+    edit.add_argument("--screenshot", metavar="P.png", help="draw the studio once, without a window, and end")
+    edit.add_argument("--pictures", metavar="FOLDER", help="draw the pictures of docs/studio.md, and end")
+    edit.add_argument("--latency", action="store_true", help="measure how long a drag takes from mouse to picture, and end")
     for job in (wander, river, play):
         _common(job)
     for job in (wander, river):

@@ -76,7 +76,7 @@ def _checked(name: str) -> tuple[str, int]:
     tables = reading.tables_of(name)
     if {"biped", "leg"} & tables:
         return f"character {load_character(name).name}", 0
-    if {"footprint", "path"} & tables:
+    if {"footprint", "path", "track"} & tables:
         show = Performance(load_scene(name))
         return f"scene {show.scene.name}: {show.footprints.steps} steps, {show.end:.1f} s", len(show.warnings)
     world = load_level(name)

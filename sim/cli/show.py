@@ -1,14 +1,16 @@
-"""Runs that are shown: in a window where there is one, or headless, leaving what was asked for."""
+"""Runs that are shown: in a window where there is one, or headless, leaving what was asked for; and the studio."""
 
 import json
 import os
 import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from sim.cli import agreeing, stopping
 from sim.cli.status import BAD_INPUT, DONE
+from sim.files import outputs
 from sim.files.saving import restore
 from sim.stage.cast import Cast
 from sim.stage.run import run as run_headless
@@ -25,7 +27,7 @@ LEFT_BEHIND = ("footfall.png", "footfall.npz")
 
 def show(options: Any, make: Callable[..., Cast], names: list[str], saved: str | None = None) -> int:
     """Runs what `make` makes, or what was saved, in a window where there is one; `names` are what the window can go on to."""
-    windowed = not options.headless and _has_display()
+    windowed = not options.headless and has_display()
     wanted = _wanted(options, windowed)
     wanted.check()
     if windowed and wanted.video is not None:
@@ -66,7 +68,7 @@ def _wanted(options: Any, windowed: bool) -> Wanted:
     return wanted._replace(screenshot=picture, record=record)
 
 
-def _has_display() -> bool:
+def has_display() -> bool:
     if os.environ.get("SDL_VIDEODRIVER"):
         return os.environ["SDL_VIDEODRIVER"] != "dummy"
     if sys.platform in ("win32", "darwin"):
@@ -105,3 +107,57 @@ def _tell(options: Any, summary: dict, files: list[str]) -> None:
         tell(f"It ends before the goal is reached: --seconds T, more than {summary['seconds']:g}, lets it go on.")
     for name in files:
         print(f"wrote {os.path.abspath(name)}")
+
+
+def edit(options: Any) -> int:
+    """Opens a scene, or a new one, in the studio; or draws it, its pictures, or measures it, and ends."""
+    outputs.check({"--screenshot": options.screenshot})
+    unseen = options.screenshot or options.pictures or options.latency
+    if not unseen and not has_display():
+        raise InputError("edit: there is no display; --screenshot P.png draws the studio once")
+    if unseen:
+        os.environ["SDL_VIDEODRIVER"] = "offscreen"
+    warm_up("edit", tell)
+    from sim.view.graphics.gl import HINT, NoGL, prefer_egl_without_display
+
+    prefer_egl_without_display()  # before anything of the studio asks for OpenGL
+    try:
+        if unseen:
+            _unseen(options)
+        else:
+            from sim.view.studio.studio import run_studio
+
+            with stopping.between_ticks():
+                run_studio(_desk(options), options.size, options.scale, stopping.asked)
+    except NoGL as error:
+        raise InputError(f"edit: {HINT} ({error})") from None
+    return DONE
+
+
+def _desk(options: Any) -> Any:
+    """The desk with what was asked for on it."""
+    from sim.view.studio.desk.desk import Desk
+
+    desk = Desk()
+    if options.level:
+        desk.open(options.level)
+    return desk
+
+
+def _unseen(options: Any) -> None:
+    """What needs no window that anybody sees."""
+    if options.latency:
+        from sim.view.studio.latency import latencies
+
+        print(json.dumps([one._asdict() for one in latencies()], indent=1))
+    elif options.pictures:
+        from sim.view.studio.pictures import write_pictures
+
+        folder = Path(options.pictures)
+        folder.mkdir(parents=True, exist_ok=True)
+        tell(f"wrote {len(write_pictures(folder))} files to {folder.resolve()}")
+    else:
+        from sim.view.studio.pictures import draw_once
+
+        draw_once(_desk(options), options.screenshot, options.size, options.scale)
+        tell(f"wrote {os.path.abspath(options.screenshot)}")

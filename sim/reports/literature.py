@@ -11,7 +11,7 @@ from typing import NamedTuple
 from motion.characters.character import load_character
 from motion.track.footprints import LEFT, RIGHT, SIDES
 from planner.script.footprint import Footprint
-from planner.script.scene import Scene
+from planner.script.scene import Scene, one_track
 from sim.files.recording import Recorder
 from sim.reports.cycles import ANGLES, Cycle, at, compared, cycle
 from sim.reports.measure import measure
@@ -52,7 +52,7 @@ def straight(step: float, character: str = "human") -> Scene:
         x += length
         footprints.append(_footprint((k + 1) % 2, x, width))
     world = World("flat", (x + 2, 4.0), start=(1.0, 2.0))
-    return Scene(f"steps of {step} m", world, tuple(footprints), character=character)
+    return one_track(f"steps of {step} m", world, footprint=tuple(footprints), character=character)
 
 
 def _footprint(side: int, x: float, width: float) -> Footprint:

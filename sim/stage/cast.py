@@ -146,7 +146,12 @@ class Cast:
     def bones(self, character: int, time: float | None = None) -> Bones:
         """The bones of a character at `time` [s], by default now: one row, in the order of its skeleton."""
         skeleton = self.skeleton(character)
-        return bones_of(self.characters[character], self.snapshot(time, np.array([character])), skeleton)
+        bones = bones_of(self.characters[character], self.snapshot(time, np.array([character])), skeleton)
+        return self.shaped(bones, np.array([character]), self.moment(time))
+
+    def shaped(self, bones: Bones, rows: np.ndarray, time: float) -> Bones:
+        """The bones of characters `rows` (C,), all of one kind, at `time` [s], with what is turned by hand."""
+        return bones
 
     def _shown_at(self) -> int:
         """Where kernels find what is seen."""

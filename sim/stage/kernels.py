@@ -11,6 +11,7 @@ from motion.pose import turning
 from motion.pose.bones import Bones, Placed
 from motion.pose.pose import empty_pose
 from motion.pose.posing import pose_one
+from motion.track.curve import Curve
 from motion.track.footprints import STEP, Footprints
 from planner.modes.wander import Wander
 from planner.river import search
@@ -31,6 +32,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
     cast = Cast(world, [load_character("bird")], 0, TICK_RATE)
     crowd, bipeds, w, biped = cast.crowd, cast.bipeds, world.arrays, cast.bipeds[0]
     one, matrix, place = np.zeros(2, np.int64), np.zeros((2, 3)), (w, 0.0, 0.0)
+    span, nothing = window.Span(0.0, 0.0, matrix, matrix, matrix), empty(Curve, 1)
     spots = search.Spots(matrix, one, matrix)
     return {
         "window solve": [(rounds.optimise_step, ())],
@@ -59,5 +61,8 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
         "stride law": [(timing.step_timing, (biped, 0.0, 0.0, 0.0, False, 0.0, True, 0.0))],
         "route search": [(search.find, (biped, spots, 0, 0))],
         "laying footprints": [(laying.lay_steps, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP), 0.0, 0.0))],
-        "whole curves": [(motion.solve_track, (biped, empty(Footprints, 1), 0.0, window.SCENE, newton.SCENE))],
+        "edited curves": [
+            (window.optimise_track, (biped, empty(Footprints, 1), span, nothing, window.SCENE, newton.SCENE)),
+        ],
+        "whole curves": [(motion.solve_track, (biped, empty(Footprints, 1), 0.0, matrix, window.SCENE, newton.SCENE))],
     }

@@ -25,6 +25,7 @@ NEEDED = {
     "river": ((*LIVE, "route search"), ("placing footprints", "crossing", *SHOWN)),
     "import-trajectories": (("whole curves", "stride law"), ("laying footprints", *SHOWN)),
     "play": (("whole curves",), ("laying footprints", *SHOWN)),
+    "edit": (("whole curves", "edited curves"), ("laying footprints", *SHOWN)),
 }
 """What a command needs: (compiled here, by the second process)."""
 

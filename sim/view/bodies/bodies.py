@@ -4,13 +4,14 @@ import numpy as np
 
 from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
+from motion.motion import bones_of
 from motion.pose.pose import Pose
 from motion.pose.skeleton import skeleton_of
 from sim.stage.cast import Cast
 from sim.view.bodies import figures, plans
 from sim.view.bodies.clay import Clay
 from sim.view.bodies.dress import Dress, colours_of
-from sim.view.bodies.figure import figure_of
+from sim.view.bodies.figure import figure_of_bones
 from sim.view.graphics import detail
 from worlds.compiled.tables import picked
 
@@ -46,16 +47,18 @@ class Bodies:
         kind = self._kind[rows]
         for k in range(len(self._kinds)):
             for each in np.unique(level[kind == k]):
-                self._add(k, int(each), np.flatnonzero((kind == k) & (level == each)), rows, pose)
+                some = np.flatnonzero((kind == k) & (level == each))
+                self._add(sim, time, k, int(each), rows[some], picked(pose, some))
 
-    def _add(self, k: int, level: int, some: np.ndarray, rows: np.ndarray, pose: Pose) -> None:
-        """Models `some` of the rows of a pose, all of kind k and of one level."""
+    def _add(self, sim: Cast, time: float, k: int, level: int, rows: np.ndarray, pose: Pose) -> None:
+        """Models characters `rows` in their poses, all of kind k and of one level."""
         clay = self.fine if level == detail.FULL else self.coarse if level == detail.REDUCED else self.flat
         character, unit = self._kinds[k], float(self._kinds[k].biped.leg.nominal_length)
         reduced = unit if level == detail.REDUCED else 0.0
         clay.smallest, clay.thin = SMALLEST * reduced, THIN * reduced
-        dress = Dress(character.look, unit, **{key: colour[rows[some]] for key, colour in self._colours.items()})
-        figure = figure_of(character, picked(pose, some), self._skeletons[k])
+        dress = Dress(character.look, unit, **{key: colour[rows] for key, colour in self._colours.items()})
+        bones = sim.shaped(bones_of(character, pose, self._skeletons[k]), rows, time)
+        figure = figure_of_bones(character, bones, self._skeletons[k])
         if level in (detail.FULL, detail.REDUCED):
             plans.PLANS[character.look.plan](clay, dress, figure)
         else:

@@ -6,7 +6,7 @@ import numpy as np
 
 from motion.characters.character import Character
 from motion.motion import bones_of, placed
-from motion.pose.bones import Placed
+from motion.pose.bones import Bones, Placed
 from motion.pose.limbs import TAIL
 from motion.pose.pose import Pose
 from motion.pose.skeleton import Skeleton, skeleton_of
@@ -41,7 +41,12 @@ class Figure:
 def figure_of(character: Character, pose: Pose, skeleton: Skeleton | None = None) -> Figure:
     """The figure of a pose whose rows are all of one character's kind."""
     skeleton = skeleton_of(character) if skeleton is None else skeleton
-    return figure_at(placed(bones_of(character, pose, skeleton), skeleton), skeleton, float(character.biped.leg.nominal_length))
+    return figure_of_bones(character, bones_of(character, pose, skeleton), skeleton)
+
+
+def figure_of_bones(character: Character, bones: Bones, skeleton: Skeleton) -> Figure:
+    """The figure of bones, all of one character's kind."""
+    return figure_at(placed(bones, skeleton), skeleton, float(character.biped.leg.nominal_length))
 
 
 def figure_at(at: Placed, skeleton: Skeleton, unit: float) -> Figure:

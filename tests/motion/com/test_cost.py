@@ -6,6 +6,7 @@ import pytest
 from motion.com import cost
 from motion.com.equations import assemble, empty_equations
 from motion.com.problem import total_cost, with_effort
+from motion.com.springs import PULL
 from motion.track import curve
 from motion.track.basis import basis_of, coefficients_of, control_of
 from motion.track.curve import Curve
@@ -89,7 +90,10 @@ def test_model_is_the_projector_on_what_the_legs_cannot_give(standing):
 
 @pytest.mark.parametrize("smooth", [False, True])
 def test_track_gradient_agrees_with_finite_differences(smooth):
-    problem = with_effort(twelve_steps()._replace(smooth=smooth), 12.0, 1e-5)
+    pulls = np.array([(3, 0.3, 1.0, 0.1, 0.9, 40.0), (3, 0.8, 1.2, -0.1, 1.0, 7.0), (9, 0.0, 3.0, 0.0, 0.8, 300.0)])
+    assert pulls.shape[1] == PULL
+    problem = with_effort(twelve_steps()._replace(smooth=smooth), 12.0, 1e-5, pulls)
+    problem.gravity[2:5], problem.weight[4:7] = 4.0, 0.3
     rng, control = np.random.default_rng(3), np.empty((13, 6))
     basis = basis_of(problem.time, smooth)
     coefficients = coefficients_of(basis, problem.time, wobbly(problem, rng), problem.bend)

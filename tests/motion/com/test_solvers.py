@@ -8,7 +8,7 @@ from scipy.optimize import minimize
 from motion.com import banded, greedy, newton
 from motion.com.equations import BAND, assemble, empty_equations
 from motion.com.guess import straight_guess
-from motion.com.problem import total_cost, with_effort
+from motion.com.problem import Layout, total_cost, with_effort
 from motion.track.basis import basis_of, coefficients_of, control_of
 from sim.bench.tracks import TRACKS, twelve_steps
 from tests import reference
@@ -70,7 +70,7 @@ def assembled(smooth, eps=0.1, seed=3):
     """A wobbly problem: (problem, basis, coefficients, equations), strength and jerk included where it is smooth."""
     problem = twelve_steps(by_phase=True, samples=5)._replace(smooth=smooth)
     if smooth:
-        problem = with_effort(problem, 11.0, 1e-4)
+        problem = with_effort(problem, 11.0, 1e-4, problem.pull)
     control = np.zeros((len(problem.time), 6))
     straight_guess(problem, control, 0)
     basis = basis_of(problem.time, smooth)
@@ -168,7 +168,7 @@ def test_long_tracks_grow_no_worse_than_their_problems():
     b = load_character("human").biped
     costs = []
     for n in (500, 1000):
-        problem, _ = laying.build_problem(b, straight_walk(b, n), 0.0, (n - 1) * 0.5, laying.Layout(5, False, False))
+        problem, _ = laying.build_problem(b, straight_walk(b, n), 0.0, (n - 1) * 0.5, Layout(5, False, False, False))
         control = np.zeros((len(problem.time), 6))
         straight_guess(problem, control, 0)
         e, used = newton.minimise(problem, control, newton.LIVE)

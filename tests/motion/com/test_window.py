@@ -5,7 +5,7 @@ import pytest
 
 from motion.characters.character import load_character
 from motion.com import laying, newton, window
-from motion.com.problem import total_cost
+from motion.com.problem import Layout, total_cost
 from motion.track import curve, foot, heading, phases
 from motion.track.curve import Curve
 from motion.track.pelvis import pelvis_at
@@ -23,7 +23,7 @@ def windows():
 def test_laying_asks_the_foot_and_the_heading(windows, by_step):
     for one in windows[::16]:
         b, footprints, end = one.biped, one.footprints, window.window_end(one.footprints)
-        problem, _ = laying.build_problem(b, footprints, one.committed.time[-1], end, laying.Layout(5, by_step, False))
+        problem, _ = laying.build_problem(b, footprints, one.committed.time[-1], end, Layout(5, by_step, False, False))
         for i, j in np.ndindex(len(problem.time) - 1, len(problem.standing)):
             t = problem.time[i] + (j + 0.5) / 5 * (problem.time[i + 1] - problem.time[i])
             support = phases.support_at(footprints, 0, t)

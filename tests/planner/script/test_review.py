@@ -67,5 +67,5 @@ def test_many_faults_are_told_in_short():
 @pytest.mark.parametrize("name", scene_names())
 def test_scenes_that_ship_are_fine(name):
     scene = load_scene(name)
-    who = load_character(scene.character)
+    who = load_character(scene.track.character)
     assert review(scene.footprints_of(who), who, scene.world.arrays, name) == []

@@ -11,7 +11,6 @@ PATH = "[path]\npoints = [[1.0, 2.0], [6.0, 2.0]]\nstep_length = 0.5\n"
 PRINTS = "".join(f'[[footprint]]\nside = "{s}"\nposition = [{x}, 2.0]\n' for s, x in (("left", 1), ("right", 1), ("left", 1.5)))
 BAD = {
     "neither": (HEAD, "either"),
-    "both": (HEAD + PRINTS + PATH, "either"),
     "same side": (HEAD + PRINTS.replace("right", "left"), "footprint.1.side"),
     "two only": (HEAD + PRINTS.rsplit("[[footprint]]", 1)[0], "at least three"),
     "one point": (HEAD + PATH.replace(", [6.0, 2.0]", ""), "path.points"),
@@ -41,6 +40,7 @@ def test_good_scene_loads(tmp_path):
     path = tmp_path / "scene.toml"
     path.write_text(HEAD + PATH)
     scene = load_scene(path)
-    assert (scene.support, scene.segments, scene.character) == ("roll", "smooth", "human")
+    track = scene.track
+    assert (track.support, track.segments, track.character) == ("roll", "smooth", "human")
     with pytest.raises(InputError, match="no such scene"):
         load_scene(tmp_path / "none.toml")

@@ -60,7 +60,7 @@ def test_what_a_scene_does_not_take(capsys):
 
 
 def test_a_film_in_a_window_is_refused(monkeypatch, capsys, tmp_path):
-    monkeypatch.setattr("sim.cli.show._has_display", lambda: True)
+    monkeypatch.setattr("sim.cli.show.has_display", lambda: True)
     assert "--headless" in refused(["wander", "--video", str(tmp_path / "v.mp4")], capsys)
 
 

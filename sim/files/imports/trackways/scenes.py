@@ -2,13 +2,14 @@
 
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from motion.characters.character import Character, load_character
 from motion.track.footprints import SIDES
 from planner.script.footprint import Footprint
-from planner.script.scene import Scene
+from planner.script.scene import Scene, one_track
 from sim.files.imports.trackways.trackway import LAWS, Trackway
 from worlds.errors import InputError
 from worlds.world import World
@@ -47,12 +48,13 @@ def scene_of(trackway: Trackway, origin: np.ndarray, size: np.ndarray, character
     about = f"{trackway.name}: {trackway.speed(law):.3f} m/s by {NAMES[law]}, hip height {trackway.hip_height:g} m"
     world = World(trackway.name, tuple(size.tolist()), start=footprints[0].position)
     scale = trackway.hip_height / float(who.biped.timing.hip_height)
-    return Scene(trackway.name, world, tuple(footprints), character=character, character_scale=scale, about=about)
+    made = one_track(trackway.name, world, footprint=tuple(footprints), character=character, character_scale=scale)
+    return replace(made, about=about)
 
 
 def walker(scene: Scene) -> Character:
     """Who walks in a scene."""
-    return load_character(scene.character, scene.character_scale)
+    return load_character(scene.track.character, scene.track.character_scale)
 
 
 def text_of(scene: Scene, origin: np.ndarray, law: str) -> str:
@@ -63,13 +65,13 @@ def text_of(scene: Scene, origin: np.ndarray, law: str) -> str:
         "format = 1",
         f"name = {_quoted(scene.name)}",
         f"about = {_quoted(scene.about)}",
-        f"character = {_quoted(scene.character)}",
-        f"character_scale = {scene.character_scale!r}  # to the hip height",
+        f"character = {_quoted(scene.track.character)}",
+        f"character_scale = {scene.track.character_scale!r}  # to the hip height",
         "",
         "[world]",
         f"size = [{scene.world.size[0]:g}, {scene.world.size[1]:g}]",
     ]
-    for one in scene.footprints:
+    for one in scene.track.footprint:
         head += ["", "[[footprint]]", f'side = "{one.side}"', f"position = [{one.position[0]!r}, {one.position[1]!r}]"]
         head.append(f"heading_deg = {one.heading_deg!r}")
         head += [f"step_time = {one.step_time!r}"] if one.step_time else []

@@ -146,7 +146,7 @@ def test_scenes_stand_on_their_prints_at_the_speed_of_the_law(imported):
             show.tick()
         worst = measure(recorder.recording())["worst"]
         assert worst["footprint_error"] < 1e-3 and worst["skate"] < 1e-3
-        places = np.array([footprint.position for footprint in scene.footprints])
+        places = np.array([footprint.position for footprint in scene.track.footprint])
         np.testing.assert_allclose(places - places[0], points - points[0], atol=1e-4)
         walked = show.motion.footprints
         moved = np.flatnonzero(~walked.stands)[1:]
@@ -178,4 +178,4 @@ def test_inferred_prints_are_marked_in_the_scene(written, tmp_path, capsys):
     arguments = ["import-trackway", written(tps(points)), "--scale", str(SCALE), "--hip-height", "1.9", "--out", out]
     assert main.main(arguments) == 0
     assert "inferred: print 5" in capsys.readouterr().out
-    assert [footprint.inferred for footprint in load_scene(out).footprints] == [k == 4 for k in range(14)]
+    assert [footprint.inferred for footprint in load_scene(out).track.footprint] == [k == 4 for k in range(14)]

@@ -1,0 +1,45 @@
+"""The ground of the plan: a table with a grid, and what stands and flows on it."""
+
+import numpy as np
+from imgui_bundle import imgui
+
+from sim.view.studio import theme
+from sim.view.studio.table import marks
+from sim.view.studio.table.canvas import Box, Plan
+from sim.view.studio.theme import ink
+from worlds.world import World
+
+
+def draw_ground(draw: imgui.ImDrawList, plan: Plan, world: World, scale: float) -> None:
+    """The ground of the plan: a grid of metres, water, trees, rocks, and the edge of the world."""
+    box = plan.box
+    draw.add_rect_filled((box.x, box.y), (box.x + box.width, box.y + box.height), ink(theme.TABLE))
+    edge = plan.project(np.array([[0.0, 0.0, 0.0], [*world.size, 0.0]]))
+    draw.add_rect_filled(marks.vector(edge.min(axis=0)), marks.vector(edge.max(axis=0)), ink(theme.SHEET))
+    _grid(draw, plan, box, scale)
+    for river in world.rivers:
+        places = plan.project(np.column_stack([river.points, np.zeros(len(river.points))]))
+        marks.draw_line(draw, places, theme.WATER, 1.0, river.width * plan.zoom)
+    for discs, colour in ((world.trees, theme.TREE), (world.rocks, theme.ROCK)):
+        if len(discs):
+            places = plan.project(np.column_stack([discs[:, :2], np.zeros(len(discs))]))
+            for i in np.flatnonzero(marks.inside(box, places, 200.0)):
+                draw.add_circle_filled(marks.vector(places[i]), float(discs[i, 2]) * plan.zoom, ink(colour))
+    draw.add_rect(marks.vector(edge.min(axis=0)), marks.vector(edge.max(axis=0)), ink(theme.LINE_STRONG), 0.0, 1.5 * scale)
+
+
+def _grid(draw: imgui.ImDrawList, plan: Plan, box: Box, scale: float) -> None:
+    """Lines of metres, or of more where those would be too near to each other."""
+    step = next(s for s in (0.5, 1.0, 5.0, 10.0, 50.0, 1e3) if s * plan.zoom > 26 * scale or s == 1e3)
+    low, high = plan.ground(None, box.x, box.y + box.height), plan.ground(None, box.x + box.width, box.y)  # type: ignore[arg-type]
+    assert low is not None and high is not None
+    for axis in range(2):
+        for k in range(int(np.ceil(low[axis] / step)), int(high[axis] / step) + 1):
+            strong = (k * step) % (5 * step if step < 5 else 2 * step) == 0
+            shade = ink(theme.LINE_STRONG if strong else theme.LINE, 0.9 if strong else 0.6)
+            if axis == 0:
+                x = box.x + 0.5 * box.width + plan.zoom * (k * step - plan.centre[0])
+                draw.add_line((x, box.y), (x, box.y + box.height), shade, 1.0)
+            else:
+                y = box.y + 0.5 * box.height - plan.zoom * (k * step - plan.centre[1])
+                draw.add_line((box.x, y), (box.x + box.width, y), shade, 1.0)
