@@ -86,13 +86,13 @@ def checked_starts(starts: Any, world: World, characters: list[Character]) -> np
         raise InputError(f"{len(places)} starts for {len(characters)} characters: one for each is needed")
     if np.abs(places[:, 2]).max() > TURNED:
         raise InputError(f"starts: headings up to {np.abs(places[:, 2]).max():g} rad; {TURNED:g} at most is allowed")
-    found, near = np.empty((len(places), 3)), _doubtful(world, characters)
+    found, near = np.empty((len(places), 4)), _doubtful(world, characters)
     queries.survey(world.arrays, np.ascontiguousarray(places[:, :2]), found)
     for c, (x, y, _) in enumerate(places.tolist()):
         if not (0 <= x <= world.size[0] and 0 <= y <= world.size[1]):
             inside = f"0..{world.size[0]:g} by 0..{world.size[1]:g} is allowed"
             raise InputError(f"starts.{c} at ({x:g}, {y:g}): is outside the world; {inside}")
-        if min(x, y, world.size[0] - x, world.size[1] - y, found[c, 1], found[c, 2]) < near:
+        if min(x, y, world.size[0] - x, world.size[1] - y, *found[c, 1:].tolist()) < near:
             fault = fault_of_place(world, characters[c], places[c].tolist())
             if fault:
                 raise InputError(f"starts.{c} at ({x:g}, {y:g}): {fault}")
@@ -100,7 +100,7 @@ def checked_starts(starts: Any, world: World, characters: list[Character]) -> np
 
 
 def _doubtful(world: World, characters: list[Character]) -> float:
-    """Who starts nearer than this [m] to a tree, water or the border needs to be looked at; on uneven ground everyone does."""
+    """Who starts nearer than this [m] to anything, or to the border, needs to be looked at; on uneven ground everyone does."""
     if world.terrain != "flat" or len(world.rocks):
         return np.inf
     bipeds = {id(character.biped): character.biped for character in characters}.values()
@@ -111,9 +111,10 @@ def _doubtful(world: World, characters: list[Character]) -> float:
 def fault_of_place(world: World, character: Character, place: Sequence[float]) -> str | None:
     """Why a character cannot stand at a place x, y [m] with a heading [rad]: its body does not fit, or a foot; or None."""
     biped, (x, y, heading) = character.biped, place
-    room = min(queries.border_clearance(world.arrays, x, y), queries.tree_clearance(world.arrays, x, y))
+    solid = min(queries.tree_clearance(world.arrays, x, y), queries.wall_clearance(world.arrays, x, y))
+    room = min(queries.border_clearance(world.arrays, x, y), solid)
     if room < biped.body.radius:
-        near = f"{room:.2f} m to the border or a tree, {biped.body.radius:g} m or more is needed"
+        near = f"{room:.2f} m to the border, a tree or a wall, {biped.body.radius:g} m or more is needed"
         return f"no room for the body of the {character.name}: {near}"
     for side in (LEFT, RIGHT):
         why = why_not_stand(biped, world.arrays, *beside(biped, side, (x, y), heading), heading)

@@ -57,6 +57,19 @@ def ring(count: int, radius: float, character: str = "bird", seed: int = 1) -> S
     return Simulation(world, [load_character(character)] * count, WalkTo(starts, (side / 2 - out)[:, None]), seed)
 
 
+def radius_of(half: np.ndarray, angle: np.ndarray) -> np.ndarray:
+    """(K,) radius of ellipses of half axes (K, 2) at an angle off the first axis [m]."""
+    return half[:, 0] * half[:, 1] / np.hypot(half[:, 1] * np.cos(angle), half[:, 0] * np.sin(angle))
+
+
+def lines_apart(p: np.ndarray, u: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """(K,) distance of the lines p - u to p + u from q - v to q + v, all (K, 2) [m], by dense samples of one of them."""
+    s = np.linspace(-1, 1, 41)[:, None, None]
+    points, length2 = p + s * u, np.maximum((v * v).sum(axis=1), 1e-12)
+    t = np.clip(((points - q) * v).sum(axis=2) / length2, -1, 1)
+    return np.linalg.norm(points - q - t[..., None] * v, axis=2).min(axis=0)
+
+
 class Watch:
     """Ticks a simulation and keeps the worst that happened."""
 
@@ -64,8 +77,11 @@ class Watch:
         self.sim = sim
         sim.keep_footprints()
         kind = sim.kind
-        self.radius = sim.bipeds["body"]["radius"][kind]
-        self.sole = 0.5 * np.hypot(sim.bipeds["foot"]["length"], sim.bipeds["foot"]["width"])[kind]
+        body, foot = sim.bipeds["body"], sim.bipeds["foot"]
+        self.radius = body["radius"][kind]
+        whole = [np.where(body[name] > 0, body[name], 2 * body["radius"]) for name in ("depth", "width")]
+        self.half = 0.5 * np.stack(whole, axis=1)[kind]
+        self.sole = 0.5 * np.stack([foot["length"], foot["width"]], axis=1)[kind]
         self.anchor, self.since = sim.snapshot().com[:, :2], np.zeros(len(kind))
         self.body_overlap, self.standstill, self.stillest = -np.inf, 0.0, -1
         self.bodies_met = 0
@@ -82,12 +98,16 @@ class Watch:
         return self
 
     def _look(self) -> None:
-        sim, com = self.sim, self.sim.snapshot().com[:, :2]
-        pairs = cKDTree(com).query_pairs(2 * self.radius.max(), output_type="ndarray")
+        sim, pose = self.sim, self.sim.snapshot()
+        com = pose.com[:, :2]
+        pairs = cKDTree(com).query_pairs(2 * self.half.max(), output_type="ndarray")
         if len(pairs):
             i, j = pairs.T
-            depth = self.radius[i] + self.radius[j] - np.linalg.norm(com[i] - com[j], axis=1)
-            share = depth / np.minimum(self.radius[i], self.radius[j])
+            w, x, y, z = pose.body_rotation_wxyz.T
+            yaw = np.arctan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+            d = com[j] - com[i]
+            radii = sum(radius_of(self.half[k], np.arctan2(d[:, 1], d[:, 0]) - yaw[k]) for k in (i, j))
+            share = (radii - np.hypot(*d.T)) / (2 * np.minimum(self.half[i], self.half[j]).min(axis=1))
             self.body_overlap = max(self.body_overlap, float(share.max()))
             self.bodies_met += int((share > 0.05).sum())
         if isinstance(sim.planner, WalkTo) and not sim.planner.again:
@@ -103,16 +123,19 @@ class Watch:
             self.standstill, self.stillest = float(still.max()), int(still.argmax())
 
     def feet_overlaps(self, window: float = 1.0) -> tuple[int, float]:
-        """(pairs, worst depth [m]) of soles' discs of two characters that overlap at the same time."""
+        """(pairs, worst depth [m]) of soles of two characters that overlap at the same time: capsules."""
         log = self.sim.footprints.arrays(self.sim.crowd)
         who, place = log["footprint_character"], log["footprint_position"][:, :2]
+        ahead = np.column_stack([np.cos(log["footprint_heading"]), np.sin(log["footprint_heading"])])
+        radius = self.sole.min(axis=1)
+        line = (self.sole[:, 0] - radius)[who, None] * ahead
         begin, end = log["footprint_contact_time"], log["footprint_contact_time"] + log["footprint_stance_time"]
         found, worst = set(), 0.0
         for t in np.arange(0.0, self.sim.time, window):
             now = np.flatnonzero((begin < t + window) & (end > t))
             pairs = cKDTree(place[now]).query_pairs(2 * self.sole.max(), output_type="ndarray")
             i, j = now[pairs[:, 0]], now[pairs[:, 1]]
-            depth = self.sole[who[i]] + self.sole[who[j]] - np.linalg.norm(place[i] - place[j], axis=1)
+            depth = radius[who[i]] + radius[who[j]] - lines_apart(place[i], line[i], place[j], line[j])
             bad = (who[i] != who[j]) & (np.minimum(end[i], end[j]) > np.maximum(begin[i], begin[j]) + 1e-9) & (depth > 1e-9)
             found |= set(zip(i[bad].tolist(), j[bad].tolist(), strict=True))
             worst = max(worst, float(depth[bad].max(initial=0.0)))
@@ -130,7 +153,7 @@ class Watch:
             "seconds": self.sim.time,
             "feet overlaps": pairs,
             "by mm": 1e3 * depth,
-            "body overlap % of radius": 100 * self.body_overlap,
+            "body overlap % of depth": 100 * self.body_overlap,
             "looks above 5 %": self.bodies_met,
             "least clearance m": self.tree_clearance(),
             "longest standstill s": self.standstill,

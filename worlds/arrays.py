@@ -32,6 +32,9 @@ class WorldArrays(NamedTuple):
     bank_index: np.ndarray
     rock_start: np.ndarray
     rock_index: np.ndarray
+    walls: np.ndarray  # (W, 5) pieces of walls: x0, y0, x1, y1, half thickness
+    wall_start: np.ndarray
+    wall_index: np.ndarray
 
 
 def no_world() -> WorldArrays:
@@ -40,7 +43,7 @@ def no_world() -> WorldArrays:
     none = bucket(np.zeros((0, 4)), shape)
     return WorldArrays(
         np.array([0.0, 0.0, 1.0, 1.0]), FLAT, np.zeros(8), np.zeros((1, 1)), np.zeros((0, 3)), np.zeros((0, 5)),
-        np.zeros((0, 4)), shape[1], *none, *none, *none,
+        np.zeros((0, 4)), shape[1], *none, *none, *none, np.zeros((0, 5)), *none,
     )  # fmt: skip
 
 
@@ -79,8 +82,8 @@ def boxes_of_discs(discs: np.ndarray, reach: float) -> np.ndarray:
     return np.hstack([discs[:, :2] - grown, discs[:, :2] + grown])
 
 
-def boxes_of_banks(banks: np.ndarray, reach: float) -> np.ndarray:
-    """Boxes (S, 4) around river pieces, grown by reach."""
-    grown = banks[:, 4:5] + reach
-    ends = banks[:, :4].reshape(-1, 2, 2)
+def boxes_of_pieces(pieces: np.ndarray, reach: float) -> np.ndarray:
+    """Boxes (S, 4) around pieces (S, 5) of rivers or walls: x0, y0, x1, y1, half width, grown by reach."""
+    grown = pieces[:, 4:5] + reach
+    ends = pieces[:, :4].reshape(-1, 2, 2)
     return np.hstack([ends.min(axis=1) - grown, ends.max(axis=1) + grown])

@@ -10,7 +10,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 from worlds.contents.heightmap import read_heightmap
 from worlds.contents.scatter import Scatter, scattered
 from worlds.errors import InputError
-from worlds.world import River, World
+from worlds.world import River, Wall, World
 
 Finite = Annotated[float, Field(ge=-1e5, le=1e5, allow_inf_nan=False, strict=True)]
 """A coordinate [m] or an angle: strict, for text and truth are no numbers."""
@@ -80,6 +80,11 @@ class _River(Part):
     width: Length
 
 
+class _Wall(Part):
+    points: Annotated[list[Point], Field(min_length=2)]
+    thickness: Annotated[float, Field(ge=1e-3, le=10_000, allow_inf_nan=False, strict=True)] = 0.2
+
+
 class _Rock(Part):
     position: Point
     radius: Length
@@ -101,6 +106,7 @@ class Ground(Part):
     world: WorldTable
     tree: list[_Tree] = []
     river: list[_River] = []
+    wall: list[_Wall] = []
     rock: list[_Rock] = []
     scatter: Scatter | None = None
 
@@ -127,6 +133,7 @@ def _built(
         heights=heights,
         trees=np.array([(*t.position, t.radius) for t in ground.tree], np.float64).reshape(-1, 3),
         rivers=tuple(River(np.array(r.points), r.width) for r in ground.river),
+        walls=tuple(Wall(np.array(w.points), w.thickness) for w in ground.wall),
         rocks=np.array([(*r.position, r.radius, r.height) for r in ground.rock], np.float64).reshape(-1, 4),
         start=start,
         start_heading=math.radians(heading_deg),

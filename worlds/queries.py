@@ -84,22 +84,37 @@ def tree_clearance(world: WorldArrays, x: float, y: float) -> float:
 
 
 @jit_borrowing
+def _off_piece(piece: np.ndarray, x: float, y: float) -> float:
+    """Distance to a piece (5,) of a river or a wall: a line with half a width around it [m], negative inside."""
+    dx, dy = piece[2] - piece[0], piece[3] - piece[1]
+    length2 = max(dx * dx + dy * dy, 1e-12)
+    s = min(max(((x - piece[0]) * dx + (y - piece[1]) * dy) / length2, 0.0), 1.0)
+    return hypot(x - piece[0] - s * dx, y - piece[1] - s * dy) - piece[4]
+
+
+@jit_borrowing
 def water_clearance(world: WorldArrays, x: float, y: float) -> float:
     """Distance to the nearest water's edge [m], negative in the water, at most REACH. Rocks do not count."""
     cell, nearest = cell_of(world, x, y), REACH
     for k in range(world.bank_start[cell], world.bank_start[cell + 1]):
-        piece = world.banks[world.bank_index[k]]
-        dx, dy = piece[2] - piece[0], piece[3] - piece[1]
-        length2 = max(dx * dx + dy * dy, 1e-12)
-        s = min(max(((x - piece[0]) * dx + (y - piece[1]) * dy) / length2, 0.0), 1.0)
-        nearest = min(nearest, hypot(x - piece[0] - s * dx, y - piece[1] - s * dy) - piece[4])
+        nearest = min(nearest, _off_piece(world.banks[world.bank_index[k]], x, y))
+    return nearest
+
+
+@jit_borrowing
+def wall_clearance(world: WorldArrays, x: float, y: float) -> float:
+    """Distance to the nearest wall's surface [m], negative inside, at most REACH."""
+    cell, nearest = cell_of(world, x, y), REACH
+    for k in range(world.wall_start[cell], world.wall_start[cell + 1]):
+        nearest = min(nearest, _off_piece(world.walls[world.wall_index[k]], x, y))
     return nearest
 
 
 @jit_borrowing
 def clearance(world: WorldArrays, x: float, y: float) -> float:
-    """Distance to the nearest tree, water or border [m], negative inside one, at most REACH."""
-    return min(border_clearance(world, x, y), tree_clearance(world, x, y), water_clearance(world, x, y))
+    """Distance to the nearest tree, wall, water or border [m], negative inside one, at most REACH."""
+    solid = min(tree_clearance(world, x, y), wall_clearance(world, x, y))
+    return min(border_clearance(world, x, y), solid, water_clearance(world, x, y))
 
 
 @jit_borrowing
@@ -139,11 +154,8 @@ def in_water(world: WorldArrays, x: float, y: float) -> bool:
 
 @jit_borrowing
 def survey(world: WorldArrays, xy: np.ndarray, found: np.ndarray) -> None:
-    """Fills found (N, 3): height of the ground, clearance to water, and to trees [m], at xy (N, 2)."""
+    """Fills found (N, 4): height of the ground, clearance to water, to trees, and to walls [m], at xy (N, 2)."""
     for i in range(len(xy)):
         x, y = xy[i, 0], xy[i, 1]
-        found[i, 0], found[i, 1], found[i, 2] = (
-            terrain_height(world, x, y),
-            water_clearance(world, x, y),
-            tree_clearance(world, x, y),
-        )
+        found[i, 0], found[i, 1] = terrain_height(world, x, y), water_clearance(world, x, y)
+        found[i, 2], found[i, 3] = tree_clearance(world, x, y), wall_clearance(world, x, y)

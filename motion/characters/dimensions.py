@@ -51,7 +51,9 @@ class Foot:
 class Body:
     """[body]: trunk, head, arms and tail."""
 
-    radius: float = metres("to keep from trees and from others")
+    radius: float = metres("to keep from trees and walls")
+    depth: float = metres("chest to back, to keep from others; 0: twice the radius", low=0.0, default=0.0)
+    width: float = metres("shoulder to shoulder, to keep from others; 0: twice the radius", low=0.0, default=0.0)
     pitch_amplitude: float = degrees("of the body over a step")
     roll_amplitude: float = degrees("of the body over a stride")
     lean_gain: float = share("share of the lateral acceleration's angle that the body leans into", high=3)

@@ -42,9 +42,9 @@ class Quantity(NamedTuple):
         return low <= value <= high
 
 
-def metres(meaning: str, low: float = 1e-3, high: float = 100.0) -> Any:
+def metres(meaning: str, low: float = 1e-3, high: float = 100.0, default: float | None = None) -> Any:
     """A length [m]."""
-    return Quantity("m", low, high, meaning)
+    return Quantity("m", low, high, meaning, default)
 
 
 def place(meaning: str) -> Any:

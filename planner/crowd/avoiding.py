@@ -1,16 +1,9 @@
-"""Going around others: a step that conflicts with nobody's reservations, near the one wanted.
+"""Going around others: of the steps that conflict with nobody's reservations, the one that costs least.
 
-Each candidate (planner.crowd.candidates) costs
-
-    |v - v_wanted| / |v_preferred| + TURN |heading - facing| + CAUTION (1 / ttc - 1 / FORESIGHT)
-
-with ttc the predicted time to collision with anyone, who goes on as its tentative footprints say (the sampled form of
-reciprocal velocity obstacles; van den Berg, Lin & Manocha 2008). The cheapest candidate that is clear of trees and of what
-others hold is taken. Standing is always clear.
-
-Where the wish runs into someone, one looks for a course around (course_around), and those who get on badly have the right of
-way (right_of_way): the others expect them to come. They also grow impatient: they come nearer to others, staying in place costs
-more, chance has a say, and short steps are quick ones.
+What a step costs is told term by term (planner.crowd.terms), and what each term weighs by one table (planner.round.weights).
+Soles and bodies in time are the hard guarantee: a step is free whose sole keeps off all that the others hold, and whose body
+comes to rest, and on its way is, where it touches nobody (for bodies that are too close already: where it comes no closer).
+Standing is always free.
 """
 
 from math import atan2, cos, hypot, inf, sin
@@ -18,53 +11,52 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from motion.arithmetic.angles import wrapped
-from motion.characters.dimensions import Dimensions
+from motion.arithmetic.gravity import pendulum_time
 from motion.track.footprints import Foot, step_onto
-from planner.crowd.candidates import CANDIDATES, CLOSING, SMALL, Candidate, Walker, candidate, candidate_to, pace, walker_of
-from planner.crowd.course_around import LEFTWARD, course_around, keep_right
-from planner.crowd.foresight import danger, foresee
-from planner.crowd.neighbour import NEIGHBOUR
-from planner.crowd.right_of_way import hindered_after, inherited, of_higher_rank, queueing_speed, rank_of
+from planner.crowd import terms
+from planner.crowd.bodies import gap_between
+from planner.crowd.candidates import CANDIDATES, QUICK, Candidate, candidate, candidate_to, crosses
+from planner.crowd.neighbour import NEIGHBOUR, see
+from planner.crowd.sides import AGAINST, keep_right, on_the_right, wrong_side
+from planner.crowd.walker import Walker, calmed, walker_of
 from planner.round import reservations
-from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing
-from planner.stepping import random
-from planner.stepping.beside import middle_beside, middle_of
+from planner.round.round import Me, Round, Wish, biped_of, standing
+from planner.round.soles import sole_of
+from planner.stepping.beside import Place, middle_beside, middle_of
 from planner.stepping.footing import FINE, needs_care, why_not_step
 from planner.stepping.steering import free_way
 from worlds import queries
 from worlds.compiled.jit import jit, jit_borrowing
 
-TURN, ON_THE_SPOT = 0.5, 0.3
-"""Cost of a radian off the facing: the wanted heading, or the wished one in steps shorter than this share of the preferred."""
-STRAIGHT = 0.05
-"""So much [rad] off the wished course is still the wished course."""
-ASIDE = 0.1
-"""Cost of going left, for every step that did not get on."""
-STAND = 0.15
-"""Cost of standing with the feet apart, or of closing feet that are together."""
-IMPATIENCE, CHANCE = 0.1, 0.15
-"""Cost of staying where one is and of chance for every step that did not get on, up to PATIENT."""
 FOOT_MARGIN = 0.01
 """Room kept between soles [m]."""
-CROWDED = 64
-"""More others than this in reach, and one stands."""
+CROWDED = 48
+"""Where more others than this are in reach, one looks for those who are nearer."""
+CLOSEST = 0.37
+"""Nobody nearer than this share of the reach is overlooked: a step and two bodies."""
 YIELD_TIME = 0.2
 """Who stands because others are in the way plans again after this time [s]."""
+GETS_ON = 0.4
+"""A step gets on that covers this share of the wished one."""
+SHORT = 0.8
+"""A wish that is shorter than this share of a usual step is that of one who is calm (Walker)."""
+GRAZE = 0.02
+"""Bodies that are too close already may come so much closer [m] on their way to where they are not."""
+LOOKS = 4
+"""Moments of a step at which bodies are looked at."""
 
 
 class Scratch(NamedTuple):
     """Room to work in."""
 
     others: Any  # (K,) records of NEIGHBOUR: those near
-    higher: Any  # (K,) those of them who claim with a higher rank
     cost: np.ndarray  # (CANDIDATES + 1,)
 
 
 @jit_borrowing
-def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> bool:
-    """Whether a step keeps off trees and off all that the others hold; where bodies are too close already, it may part them."""
-    held, world, length = round.reservations, round.world, hypot(step.x - walker.x, step.y - walker.y)
+def is_open(round: Round, walker: Walker, step: Candidate) -> bool:
+    """Whether a step keeps off trees, walls and water."""
+    world, length = round.world, hypot(step.x - walker.x, step.y - walker.y)
     biped = round.bipeds[round.kind[walker.c]]
     if length > 0:
         course = atan2(step.y - walker.y, step.x - walker.x)
@@ -74,124 +66,166 @@ def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> 
             return False
     if needs_care(biped, world, walker.foot_x, walker.foot_y):
         foot = Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
-        if why_not_step(biped, world, foot, step.foot_x, step.foot_y, step.heading) != FINE:
-            return False
+        return why_not_step(biped, world, foot, step.foot_x, step.foot_y, step.heading) == FINE
+    return True
+
+
+@jit_borrowing
+def _gap_to(held: reservations.Reservations, walker: Walker, j: int, time: float, at: Place, face: Place) -> float:
+    """The gap between j's body at a time [s] and mine at a place [m], facing in the direction of that unit vector."""
+    jx, jy = reservations.place_on_path(held, j, time, reservations.COMMITTED - 1)
+    mine, (x, y) = (walker.deep, walker.wide), at
+    its, looks = (held.half[j, 0], held.half[j, 1]), (held.face[j, 0], held.face[j, 1])
+    return gap_between(mine, face, its, looks, jx - x, jy - y)
+
+
+@jit_borrowing
+def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> bool:
+    """Whether a step keeps off all that the others hold; where bodies are too close already, it may part them."""
+    held = round.reservations
     rest_x, rest_y = 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y)
-    begin, end, radius = walker.there, walker.there + step.time, held.foot_radius[walker.c] + FOOT_MARGIN
+    sole = sole_of(held.sole, walker.c, step.foot_x, step.foot_y, step.heading)
+    facing, face = 0.5 * (walker.heading + step.heading), (walker.face_x, walker.face_y)
+    turned = (cos(facing), sin(facing))
+    far = walker.wide + hypot(rest_x - walker.rest_x, rest_y - walker.rest_y) + walker.full * step.time
     for j in near:
-        if not reservations.foot_is_free(held, j, step.foot_x, step.foot_y, radius, walker.time + step.time):
+        if not reservations.foot_is_free(held, j, sole, FOOT_MARGIN, walker.time + step.time):
             return False
-        apart = held.room[walker.c] + held.room[j]
-        least = reservations.least_distance(held, j, walker.rest_x, walker.rest_y, begin, rest_x, rest_y, end)
-        if least < apart:
-            now = reservations.least_distance(held, j, walker.rest_x, walker.rest_y, begin, walker.rest_x, walker.rest_y, end)
-            if least < now or now >= apart:
+        last = held.path[j, reservations.COMMITTED - 1]
+        reach = far + max(held.half[j, 0], held.half[j, 1])
+        if abs(last[0] - rest_x) > reach or abs(last[1] - rest_y) > reach:
+            continue
+        now = min(_gap_to(held, walker, j, inf, (walker.rest_x, walker.rest_y), face), 0.0)
+        if _gap_to(held, walker, j, inf, (rest_x, rest_y), turned) < now:
+            return False
+        for k in range(1, LOOKS + 1):
+            s = k / LOOKS
+            x, y = walker.rest_x + s * (rest_x - walker.rest_x), walker.rest_y + s * (rest_y - walker.rest_y)
+            if _gap_to(held, walker, j, walker.there + s * step.time, (x, y), face) < (now - GRAZE if now < 0 else 0.0):
                 return False
     return True
 
 
 @jit_borrowing
-def _turned_to(biped: Dimensions, walker: Walker, course: float) -> float:
-    """The heading of one who turns to a course [rad], as far as a step allows."""
-    most = biped.reach.max_turn
-    return walker.heading + min(max(wrapped(course - walker.heading), -most), most)
-
-
-@jit_borrowing
-def _costs(round: Round, walker: Walker, wished: Candidate, others: Any, cost: np.ndarray) -> None:
-    """Fills cost (CANDIDATES + 1,): of the wish, of the candidates, and last of standing, as if only `others` were there."""
-    biped, full = round.bipeds[round.kind[walker.c]], walker.full
-    stride, wanted = biped.gait.preferred_step, course_around(round, walker, others)
-    wx, wy = full * cos(wanted), full * sin(wanted)
-    ahead, onward = _turned_to(biped, walker, wanted), _turned_to(biped, walker, walker.course)
-    impatience = min(walker.hindered, PATIENT)
-    for k in range(CANDIDATES + 1):
-        step = candidate(biped, walker, wished, k)
-        vx, vy = (step.x - walker.x) / step.time, (step.y - walker.y) / step.time
-        if k == CANDIDATES:
-            vx, vy = 0.0, 0.0
-        gone = hypot(vx, vy) * step.time
-        cost[k] = (
-            hypot(vx - wx, vy - wy) / full
-            + TURN * abs(step.heading - (ahead if gone >= ON_THE_SPOT * stride else onward))
-            + LEFTWARD * max(step.heading - max(walker.heading, wished.heading), 0.0)
+def cost_of(round: Round, walker: Walker, others: Any, right: float, step: Candidate, goes: bool) -> float:
+    """What a step costs; one that does not `go` stands. right: of those who come against me (planner.crowd.sides)."""
+    biped, weights = round.bipeds[round.kind[walker.c]], round.weights[round.kind[walker.c]]
+    swing, stride = pendulum_time(biped.timing.hip_height), biped.gait.preferred_step
+    vx, vy = ((step.x - walker.x) / step.time, (step.y - walker.y) / step.time) if goes else (0.0, 0.0)
+    headway = touch = near = yields = rest_x = rest_y = 0.0
+    if goes:
+        rest_x, rest_y = (
+            0.5 * (walker.foot_x + step.foot_x) - walker.rest_x,
+            0.5 * (walker.foot_y + step.foot_y) - walker.rest_y,
         )
-        cost[k] += danger(others, vx, vy)
-        cost[k] += IMPATIENCE * impatience * max(1 - gone / (SMALL * stride), 0.0)
-        cost[k] += ASIDE * impatience * (vy * cos(wanted) - vx * sin(wanted)) / full
-        cost[k] += CHANCE * impatience * random.uniform(round.seed, walker.c, walker.number, random.JAM + k)
-    cost[CANDIDATES] += STAND
-    if hypot(walker.x - walker.rest_x, walker.y - walker.rest_y) < 0.1 * stride:
-        cost[CLOSING] += STAND
+    for i in range(len(others)):
+        other = others[i]
+        if other.along > AGAINST:
+            headway = max(headway, terms.headway_lacking(walker, other, vx, vy, step.time, weights.gap * swing))
+        touch = max(touch, terms.danger(walker, other, vx, vy, weights.horizon, swing))
+        near += terms.nearness(walker, other, vx, vy, step.time, weights.distance * stride)
+        yields = max(yields, terms.in_the_way(walker, other, rest_x, rest_y))
+    cost = weights.progress * terms.progress_lost(walker, vx, vy) + weights.turn * terms.turned(walker, step)
+    cost += weights.headway * headway + weights.touch * touch + weights.near * near
+    cost += weights.side * wrong_side(walker, right, vx, vy) + weights.rank * yields
+    return cost if goes else cost + weights.stand
 
 
 @jit_borrowing
-def _claim(round: Round, walker: Walker, wished: Candidate, rank: float, scratch: Scratch) -> None:
-    """Sets my claim: the velocity on the wished course, or out of the way of a higher claim; and with which rank."""
-    claim, others, speed = round.intents.claim, scratch.others, queueing_speed(walker, scratch.others)
-    c, mine = walker.c, inherited(others, rank)
-    claim[c, 0], claim[c, 1], claim[c, 2] = speed * cos(walker.course), speed * sin(walker.course), mine
-    if mine > rank:
-        count = of_higher_rank(others, scratch.higher)
-        _costs(round, walker, wished, scratch.higher[:count], scratch.cost)
-        k = np.argmin(scratch.cost)
-        if k < CANDIDATES:
-            step = candidate(round.bipeds[round.kind[c]], walker, wished, int(k))
-            claim[c, 0], claim[c, 1] = (step.x - walker.x) / step.time, (step.y - walker.y) / step.time
+def _claim(round: Round, walker: Walker, others: Any, x: float, y: float) -> None:
+    """Sets my claim: to rest at x, y, as I would if nobody were there; with my rank, or with that of whom I am in the way of.
 
-
-@jit_borrowing
-def choose(round: Round, walker: Walker, wished: Candidate, straight: bool, near: np.ndarray, scratch: Scratch) -> int:
-    """The best candidate that is free; 0 is the wish, CANDIDATES is standing.
-
-    The wish is for those whose course is `straight`. Whoever goes somewhere and cannot have its wish sets its claim.
+    Less one, so that a whole queue backs off, and nobody is pushed back by those whom it pushes (priority inheritance; Okumura,
+    Machida, Defago & Tamura 2022).
     """
+    intents, c, rank = round.intents, walker.c, float(walker.hindered)
+    for i in range(len(others)):
+        if others[i].rank - 1 > rank and terms.in_the_way(walker, others[i], 0.0, 0.0) > 0:
+            rank = others[i].rank - 1
+    intents.claim[c, 0], intents.claim[c, 1], intents.rank[c] = x, y, rank
+
+
+@jit_borrowing
+def choose(round: Round, walker: Walker, wished: Candidate, near: np.ndarray, scratch: Scratch) -> int:
+    """The cheapest candidate that is free; 0 is the wish, CANDIDATES is standing."""
     others, cost, biped = scratch.others, scratch.cost, round.bipeds[round.kind[walker.c]]
-    rank = rank_of(round.reservations, walker, near)
-    foresee(round.reservations, walker, near, rank, others)
-    safe = danger(others, (wished.x - walker.x) / wished.time, (wished.y - walker.y) / wished.time) == 0
-    if straight and safe and is_free(round, walker, near, wished):
-        return 0
-    if walker.goes:
-        _claim(round, walker, wished, rank, scratch)
-    _costs(round, walker, wished, others, cost)
+    weights = round.weights[round.kind[walker.c]]
+    see(round.reservations, walker, float(walker.hindered), near, others)
+    right = on_the_right(walker, others, round.reservations.reach) if weights.side > 0 else 0.0
+    for k in range(CANDIDATES + 1):
+        step = candidate(biped, walker, k) if 0 < k < CANDIDATES else wished
+        cost[k] = cost_of(round, walker, others, right, step, k < CANDIDATES)
+    claimed = False
     while True:
         k = int(np.argmin(cost))
-        if k == CANDIDATES or is_free(round, walker, near, candidate(biped, walker, wished, k)):
+        if k == CANDIDATES:
+            if not claimed:
+                _claim(round, walker, others, walker.rest_x, walker.rest_y)
             return k
+        step = candidate(biped, walker, k) if k > 0 else wished
+        if not crosses(biped, walker, step) and is_open(round, walker, step):
+            if not claimed:
+                claimed = True
+                _claim(round, walker, others, 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y))
+            if is_free(round, walker, near, step):
+                return k
         cost[k] = inf
+
+
+@jit_borrowing
+def _look_around(held: reservations.Reservations, c: int, near: np.ndarray) -> int:
+    """Fills `near` with those in reach, or in a throng with those who are near; returns how many, -1: still too many."""
+    reach = held.reach
+    count = reservations.neighbours(held, c, reach, near)
+    while count < 0 and reach > CLOSEST * held.reach:
+        reach = max(0.75 * reach, CLOSEST * held.reach)
+        count = reservations.neighbours(held, c, reach, near)
+    return count
+
+
+@jit_borrowing
+def _hindered_after(walker: Walker, taken: Candidate) -> int:
+    """Steps that did not get on, after this one."""
+    gone = (taken.x - walker.x) * cos(walker.course) + (taken.y - walker.y) * sin(walker.course)
+    if gone > GETS_ON * walker.full * taken.time:
+        return max(walker.hindered - 1, 0)
+    return walker.hindered + 1
 
 
 @jit
 def give_way(round: Round, me: Me, wish: Wish) -> Wish:
-    """The wish, or what is free of others instead of it. Sets my intents: aim, claim, and how many steps others hindered."""
+    """The wish, or what is free of others instead of it. Sets my intents: aim, and how many steps others hindered."""
     intents, c, step = round.intents, me.c, wish.step
     moves = 0.0 if step.stands > 0 else 1.0
     intents.aim[c, 0], intents.aim[c, 1] = moves * cos(wish.course), moves * sin(wish.course)
-    intents.claim[c] = 0.0
-    hindered, intents.hindered[c] = me.hindered, 0
+    hindered, intents.hindered[c], intents.rank[c] = me.hindered, 0, 0.0
+    intents.claim[c, 0] = 0.5 * (me.feet.older.x + me.feet.newer.x)
+    intents.claim[c, 1] = 0.5 * (me.feet.older.y + me.feet.newer.y)
     if step.stands > 0:
         return wish
     near = np.empty(CROWDED, np.int64)
-    count = reservations.neighbours(round.reservations, c, round.reservations.reach, near)
+    count = _look_around(round.reservations, c, near)
     if count == 0:
         return wish
-    biped, course = biped_of(round, me), wish.course
+    biped, course, k = biped_of(round, me), wish.course, CANDIDATES
     if wish.goes and count > 0:
         course = keep_right(round, c, near[:count], middle_beside(biped, me.feet.newer), course)
-    walker = walker_of(round, me, course, wish.goes)
+    walker = walker_of(round, me, course)
     x, y = middle_of(biped, step.side, (step.x, step.y), step.heading)
-    wished, k = candidate_to(biped, walker, x, y, step.heading), CANDIDATES
+    wished = candidate_to(biped, walker, (x, y), step.heading)
+    length, turn = hypot(x - walker.x, y - walker.y), abs(wished.heading - walker.heading) / biped.reach.max_turn
+    if length < SHORT * biped.gait.preferred_step * max(1 - 0.5 * turn, 0.3):
+        walker = calmed(walker, (x - walker.x) / wished.time, (y - walker.y) / wished.time)
     if count > 0:
-        scratch = Scratch(np.empty(count, NEIGHBOUR), np.empty(count, NEIGHBOUR), np.empty(CANDIDATES + 1))
-        k = choose(round, walker, wished, abs(course - wish.course) < STRAIGHT, near[:count], scratch)
+        scratch = Scratch(np.empty(count, NEIGHBOUR), np.empty(CANDIDATES + 1))
+        k = choose(round, walker, wished, near[:count], scratch)
     if k == CANDIDATES:
         intents.hindered[c] = hindered + 1
         return standing(me, YIELD_TIME)
     if k == 0:
-        intents.hindered[c] = hindered_after(biped, walker, wished, wished) if wish.goes else max(hindered - 1, 0)
-        return Wish(step, wish.course, pace(hindered), True, wish.goes)
-    taken = candidate(biped, walker, wished, k)
-    intents.hindered[c] = hindered_after(biped, walker, wished, taken)
+        intents.hindered[c] = max(hindered - 1, 0)
+        return Wish(step, wish.course, QUICK, True, wish.goes)
+    taken = candidate(biped, walker, k)
+    intents.hindered[c] = _hindered_after(walker, taken)
     onto = step_onto(walker.side, taken.foot_x, taken.foot_y, taken.heading)
-    return Wish(onto, course, pace(hindered), True, wish.goes)
+    return Wish(onto, wish.course, QUICK, True, wish.goes)

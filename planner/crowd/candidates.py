@@ -1,53 +1,32 @@
-"""The steps that may be taken instead of the wished one: other turns and lengths, steps aside and back, and standing."""
+"""The steps among which one chooses: directions times lengths, as far as a leg steps in a direction, and standing.
 
-from math import cos, hypot, sin
+Forward, a step is as long as the preferred one; to the side and back it is SHORTER: lengths lie on an ellipse about the newest
+foot's heading (the discs and rings of Seitz & Koster's optimal steps model 2012, with the legs' own reach). The foot turns into
+the direction as far as a step allows, and stays as it is for steps aside and back.
+"""
+
+from math import cos, hypot, pi, sin, sqrt
 from typing import NamedTuple
 
+from motion.arithmetic.angles import wrapped
 from motion.characters.dimensions import Dimensions
-from planner.round.reservations import lag
-from planner.round.round import UNHURRIED, Me, Round, biped_of
+from planner.crowd.walker import Walker
 from planner.stepping import timing
-from planner.stepping.beside import beside, middle_beside
-from planner.stepping.steering import MARGIN
-from worlds import queries
+from planner.stepping.beside import Place, beside
 from worlds.compiled.jit import jit_borrowing
 
-SMALL = 0.4
-"""Side steps and steps back, in preferred steps."""
-TURNS, LENGTHS = 3, 4
-KINDS = 2 * TURNS + 2
-ASIDE_AND_BACK = ((0.0, 1.0), (1.0, 1.0), (-1.0, 0.0), (-1.0, 1.0), (-0.5, 0.0), (0.0, 0.5), (-0.5, 0.5), (0.0, 0.0))
-"""Ahead, and to the side of the foot that moves, in small steps; back from where that foot is, so that the body goes back too,
-whatever the stance. The last stands."""
-APART = 0.7
-"""The feet part no farther by a step back, in preferred steps."""
-CANDIDATES = KINDS * LENGTHS + len(ASIDE_AND_BACK) - 1
-"""How many there are, and the number of standing."""
-CLOSING = KINDS * (LENGTHS - 1) + TURNS + 1
-"""The candidate that sets the foot beside the other."""
-
-
-class Walker(NamedTuple):
-    """Who plans among others: its last footprint, and when and where its body will be as that one lands."""
-
-    c: int
-    number: int  # of the step
-    side: int  # of the foot to be placed
-    foot_x: float  # the last footprint
-    foot_y: float
-    x: float  # middle, beside it
-    y: float
-    heading: float
-    rest_x: float  # where the body rests: between the last two footprints
-    rest_y: float
-    time: float  # contact of the last footprint [s]
-    there: float  # when the body comes to rest beside it [s]
-    overlap: float  # of the last two stances [s]
-    margin: float  # kept from trees [m]
-    full: float  # speed when nothing hinders [m/s]
-    hindered: int  # steps that did not get on
-    course: float  # where it wishes to go [rad]
-    goes: bool  # somewhere: it claims a right of way
+DIRECTIONS = (0.0, 0.2, -0.2, 0.45, -0.45, 0.75, -0.75, 1.1, -1.1, 1.6, -1.6, 2.3, -2.3, 3.14)
+"""Off the wished course [rad]."""
+LENGTHS = (1.0, 0.8, 0.62, 0.46, 0.32, 0.2, 0.1)
+"""In the longest of a direction."""
+SHORTER, TURNS_TO = 0.5, 1.3
+"""Steps aside and back, in preferred ones; into directions further off the heading than this [rad] one steps aside."""
+CROSSING = 0.4
+"""A foot that comes down beside the other one stays on its own side, by so many step widths."""
+QUICK = 1.5
+"""Longest step time among others, in pendulum times: short steps are quick ones."""
+CANDIDATES = len(DIRECTIONS) * len(LENGTHS) + 1
+"""How many there are, and the number of standing; 0 is the wish."""
 
 
 class Candidate(NamedTuple):
@@ -62,54 +41,37 @@ class Candidate(NamedTuple):
 
 
 @jit_borrowing
-def walker_of(round: Round, me: Me, course: float, goes: bool) -> Walker:
-    """Me among others, on a wished course [rad]."""
-    biped, older, newer = biped_of(round, me), me.feet.older, me.feet.newer
-    x, y = middle_beside(biped, newer)
-    rest_x, rest_y = 0.5 * (older.x + newer.x), 0.5 * (older.y + newer.y)
-    margin = min(biped.body.radius + MARGIN, queries.clearance(round.world, x, y))
-    stride = biped.gait.preferred_step
-    full = stride / timing.step_timing(biped, stride, 0.0, 0.0, False)[0]
-    contact, overlap = newer.contact_time, older.contact_time + older.stance_time - newer.contact_time
-    return Walker(
-        me.c, me.number, 1 - newer.side, newer.x, newer.y, x, y, newer.heading, rest_x, rest_y, contact, contact + lag(biped),
-        overlap, margin, full, me.hindered, course, goes,
-    )  # fmt: skip
-
-
-@jit_borrowing
-def pace(hindered: int) -> float:
-    """Longest step time [pendulum times] of one whom others kept from getting on for so many steps."""
-    return timing.HURRIED if hindered > 0 else UNHURRIED
-
-
-@jit_borrowing
-def candidate_to(biped: Dimensions, walker: Walker, x: float, y: float, heading: float) -> Candidate:
+def candidate_to(biped: Dimensions, walker: Walker, middle: Place, heading: float) -> Candidate:
     """The step to a middle, timed as on level ground: rises only make it later."""
-    fx, fy = beside(biped, walker.side, (x, y), heading)
+    fx, fy = beside(biped, walker.side, middle, heading)
     length, turn = hypot(fx - walker.foot_x, fy - walker.foot_y), abs(heading - walker.heading)
-    time, _ = timing.step_timing(biped, length, 0.0, turn, False, pace(walker.hindered))
-    return Candidate(x, y, heading, fx, fy, max(time, timing.least_step_time(biped, walker.overlap)))
+    time, _ = timing.step_timing(biped, length, 0.0, turn, False, QUICK)
+    return Candidate(middle[0], middle[1], heading, fx, fy, max(time, timing.least_step_time(biped, walker.overlap)))
 
 
 @jit_borrowing
-def candidate(biped: Dimensions, walker: Walker, wished: Candidate, k: int) -> Candidate:
-    """Candidate k: lengths times turns, the wish's own turn first (0 is the wish), then steps to the side and back."""
-    stride, most = biped.gait.preferred_step, biped.reach.max_turn
-    turn = wished.heading - walker.heading
-    length = hypot(wished.x - walker.x, wished.y - walker.y)
-    if k < KINDS * LENGTHS:
-        if k % KINDS:
-            turn = (k % KINDS - 1 - TURNS) * most / TURNS
-            length = stride * max(1 - 0.5 * abs(turn) / most, 0.3)
-        length *= (1.0, 0.55, 0.25, 0.0)[k // KINDS]
-        heading = walker.heading + turn
-        return candidate_to(biped, walker, walker.x + length * cos(heading), walker.y + length * sin(heading), heading)
-    ahead, across = ASIDE_AND_BACK[k - KINDS * LENGTHS]
-    ahead, across = ahead * SMALL * stride, across * SMALL * stride * (1 - 2 * walker.side)
-    c, s = cos(walker.heading), sin(walker.heading)
-    if ahead < 0:
-        behind = min(2 * ((walker.rest_x - walker.foot_x) * c + (walker.rest_y - walker.foot_y) * s), 0.0)
-        ahead = max(ahead + behind, -APART * stride)
-    x, y = walker.x + ahead * c - across * s, walker.y + ahead * s + across * c
-    return candidate_to(biped, walker, x, y, walker.heading)
+def longest(biped: Dimensions, slant: float) -> float:
+    """The longest step in a direction that is `slant` off the heading [m]."""
+    c, s = cos(slant) / (1.0 if abs(slant) < 0.5 * pi else SHORTER), sin(slant) / SHORTER
+    return biped.gait.preferred_step / sqrt(c * c + s * s)
+
+
+@jit_borrowing
+def candidate(biped: Dimensions, walker: Walker, k: int) -> Candidate:
+    """Candidate k > 0: LENGTHS of the first direction, then of the next."""
+    direction = walker.course + DIRECTIONS[(k - 1) // len(LENGTHS)]
+    off, most = wrapped(direction - walker.heading), biped.reach.max_turn
+    turn = min(max(off, -most), most) if abs(off) < TURNS_TO else 0.0
+    heading = walker.heading + turn
+    length = longest(biped, off - turn) * (1 - 0.4 * (turn / most) ** 2) * LENGTHS[(k - 1) % len(LENGTHS)]
+    x, y = walker.x + length * cos(direction), walker.y + length * sin(direction)
+    return candidate_to(biped, walker, (x, y), heading)
+
+
+@jit_borrowing
+def crosses(biped: Dimensions, walker: Walker, step: Candidate) -> bool:
+    """Whether a step sets the foot down on the other side of the other foot, or on it."""
+    dx, dy, mean = step.foot_x - walker.foot_x, step.foot_y - walker.foot_y, 0.5 * (walker.heading + step.heading)
+    ahead, left = dx * cos(mean) + dy * sin(mean), dy * cos(mean) - dx * sin(mean)
+    aside = left if walker.side == 0 else -left
+    return aside < (CROSSING if abs(ahead) < biped.foot.length else -0.5) * biped.gait.step_width

@@ -1,20 +1,32 @@
-"""What one walker sees of another: where it is and goes, and what it wants."""
+"""What one walker sees of another: where it is and goes, how it stands, and what it wants."""
+
+from math import cos, inf, sin
+from typing import Any
 
 import numpy as np
 
+from planner.crowd.walker import Walker
+from planner.round.reservations import COMMITTED, Reservations, place_on_path
+from worlds.compiled.jit import jit_borrowing
+
 NEIGHBOUR = np.dtype(
     [
-        ("x", np.float64),  # place, relative to where my body rests [m]
+        ("x", np.float64),  # place when my body rests beside my last footprint, relative to that rest [m]
         ("y", np.float64),
-        ("vx", np.float64),  # velocity [m/s]; inf: it lets me go first
+        ("vx", np.float64),  # velocity at which it goes on from there [m/s]
         ("vy", np.float64),
-        ("room", np.float64),  # distance to keep from it [m]
-        ("aim_x", np.float64),  # unit vector of the course that it wishes; 0, 0 where it stays
-        ("aim_y", np.float64),
-        ("rank", np.float64),  # of its claim; -inf: no more than one's own
-        ("speed", np.float64),  # that it claims [m/s]; 0: it claims nothing
+        ("deep", np.float64),  # half axes of its body [m]
+        ("wide", np.float64),
+        ("face_x", np.float64),  # unit vector in which it faces
+        ("face_y", np.float64),
+        ("along", np.float64),  # cosine between its wished course and mine; 0 where it stays
+        ("claim_x", np.float64),  # where it would rest next, relative to my rest [m]; inf: it has no right of way over me
+        ("claim_y", np.float64),
+        ("rank", np.float64),  # of that claim
     ]
 )
+LEAST_STEP = 0.1
+"""Steps of less than this time [s] tell no velocity."""
 
 
 class Neighbour:
@@ -24,8 +36,36 @@ class Neighbour:
     y: float
     vx: float
     vy: float
-    room: float
-    aim_x: float
-    aim_y: float
+    deep: float
+    wide: float
+    face_x: float
+    face_y: float
+    along: float
+    claim_x: float
+    claim_y: float
     rank: float
-    speed: float
+
+
+@jit_borrowing
+def see(held: Reservations, walker: Walker, rank: float, near: np.ndarray, others: Any) -> None:
+    """Fills others (K,) with those `near` (K,), as my body comes to rest beside my last footprint.
+
+    Everyone is expected to keep its pace: that of its last step. `rank` is mine: of equal ones the lower number goes first.
+    """
+    ux, uy, rest = cos(walker.course), sin(walker.course), COMMITTED - 1
+    for i, j in enumerate(near):
+        other, path = others[i], held.path
+        span = path[j, rest, 2] - path[j, rest - 1, 2]
+        vx = vy = 0.0
+        if span > LEAST_STEP:
+            vx, vy = (path[j, rest, 0] - path[j, rest - 1, 0]) / span, (path[j, rest, 1] - path[j, rest - 1, 1]) / span
+        x, y = place_on_path(held, j, walker.there, rest)
+        later = max(walker.there - path[j, rest, 2], 0.0)
+        other.x, other.y = x + later * vx - walker.rest_x, y + later * vy - walker.rest_y
+        other.vx, other.vy = vx, vy
+        other.deep, other.wide = held.half[j, 0], held.half[j, 1]
+        other.face_x, other.face_y = held.face[j, 0], held.face[j, 1]
+        other.along = held.aim[j, 0] * ux + held.aim[j, 1] * uy
+        other.rank, other.claim_x, other.claim_y = held.rank[j], inf, inf
+        if other.rank > 0 and (other.rank > rank or (other.rank == rank and j < walker.c)):
+            other.claim_x, other.claim_y = held.claim[j, 0] - walker.rest_x, held.claim[j, 1] - walker.rest_y

@@ -5,17 +5,17 @@ order, to the letter. Who has none left stands; while the body is still on its w
 on as it went.
 """
 
-from math import cos, isfinite, sin
+from math import isfinite
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from motion.characters.character import Character
-from motion.track.footprints import SIDES, STEP, Step, step_in, step_onto
+from motion.track.footprints import SIDES, STEP, Step, step_in
 from planner.planner import Situation, as_numbers
 from planner.round.kernel import Compiled
 from planner.round.round import UNHURRIED, Me, Round, Wish, biped_of, standing
-from planner.stepping.beside import beside, middle_beside
+from planner.stepping.going_on import going_on
 from worlds.compiled.jit import jit_borrowing
 from worlds.errors import InputError
 from worlds.world import World
@@ -38,16 +38,9 @@ class Queues(NamedTuple):
 
 @jit_borrowing
 def _onward(round: Round, me: Me) -> Wish:
-    """A guess: the other foot goes as far as this one went, turned as it turned."""
-    biped, older, newer = biped_of(round, me), me.feet.older, me.feet.newer
-    x, y = middle_beside(biped, newer)
-    was = middle_beside(biped, older)
-    turn = newer.heading - older.heading
-    ahead = (x - was[0]) * cos(newer.heading) + (y - was[1]) * sin(newer.heading)
-    heading = newer.heading + turn
-    middle = (x + ahead * cos(heading), y + ahead * sin(heading))
-    fx, fy = beside(biped, older.side, middle, heading)
-    return Wish(step_onto(older.side, fx, fy, heading), heading, UNHURRIED, False, False)
+    """A guess: it goes on as it went."""
+    step = going_on(biped_of(round, me), me.feet)
+    return Wish(step, step.heading, UNHURRIED, False, False)
 
 
 def _next_step(round: Round, me: Me) -> Wish:

@@ -5,14 +5,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from motion.arithmetic.angles import unwrapped
 from motion.characters.character import Character
 from planner.planner import Situation, as_numbers
 from planner.round.kernel import Compiled
 from planner.round.round import PATIENT, Me, Round, Wish, biped_of
+from planner.stepping import random
 from planner.stepping.arriving import arrive, walk_on
 from planner.stepping.beside import Place, middle_beside
+from planner.stepping.field import course_down, fields_to
 from planner.stepping.footing import surely
-from planner.stepping.steering import free_way
+from planner.stepping.steering import Onward, free_way, step_within
 from worlds import queries
 from worlds.compiled.jit import jit_borrowing
 from worlds.errors import InputError
@@ -21,6 +24,10 @@ from worlds.world import World
 
 THERE, CONTENT = 0.5, 0.25
 """A walker is at its last stop within this share of its preferred step, and more for every step that others hindered."""
+AT_HAND = 0.2
+"""Down a field one looks so many preferred steps ahead: it knows of what lies beyond."""
+SIGHT = 6.0
+"""A stop that is nearer than so many preferred steps, and to be seen, is walked to straight."""
 ABEAM = 0.7
 """Whom others hinder has passed a stop on the way once the cosine between its direction and the leg to it is below this."""
 
@@ -33,6 +40,9 @@ class Stops(NamedTuple):
     again: np.ndarray  # (C,) bool: from the last stop on to the first
     near: np.ndarray  # (C,) a stop on the way is reached within this distance [m]
     reached: np.ndarray  # (C,) how many stops each has reached
+    fields: np.ndarray  # (G, rows, columns) ways to goals, float32 (planner.stepping.field)
+    cell: np.ndarray  # (1,) edge of their cells [m]
+    field: np.ndarray  # (C, P) which of them leads to a stop; -1: the way is straight
 
 
 @jit_borrowing
@@ -80,6 +90,27 @@ def _is_past(round: Round, me: Me, reached: int, middle: Place, abeam: float) ->
     return free_way(biped_of(round, me), round.world, x, y, atan2(dy, dx), margin, far) >= far
 
 
+@jit_borrowing
+def _by_field(round: Round, me: Me, middle: Place, stop: int) -> Onward:
+    """A step down the field of a stop, close by walls: it leads through doors."""
+    biped, plans, foot, (x, y) = biped_of(round, me), round.plans, me.feet.newer, middle
+    goal = plans.stops[me.c, stop]
+    course = course_down(plans.fields[plans.field[me.c, stop]], plans.cell[0], x, y, atan2(goal[1] - y, goal[0] - x))
+    right_first = random.uniform(round.seed, me.c, 0, random.SIDE) < 0.5
+    margin, look = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01), AT_HAND * biped.gait.preferred_step
+    wanted = unwrapped(course, foot.heading)
+    return step_within(biped, round.world, middle, foot.heading, wanted, look, right_first, margin)
+
+
+@jit_borrowing
+def _sees(round: Round, me: Me, middle: Place, stop: Place) -> bool:
+    """Whether the straight way to a stop is near and free, so that no field is needed."""
+    biped, dx, dy = biped_of(round, me), stop[0] - middle[0], stop[1] - middle[1]
+    far, (x, y) = hypot(dx, dy), middle
+    margin = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01)
+    return far < SIGHT * biped.gait.preferred_step and free_way(biped, round.world, x, y, atan2(dy, dx), margin, far) >= far
+
+
 def _next_step(round: Round, me: Me) -> Wish:
     """The next step to the stop that comes next; a stop that was come to counts as reached once a real step is planned."""
     biped, foot, plans = biped_of(round, me), me.feet.newer, round.plans
@@ -90,19 +121,24 @@ def _next_step(round: Round, me: Me) -> Wish:
     there = is_there(round, me, reached, middle)
     if there and is_last_stop(plans, me.c, reached):
         return arrive(round, me, middle)
-    k = stop_of(plans, me.c, reached + there)
-    stop = (plans.stops[me.c, k, 0], plans.stops[me.c, k, 1])
-    on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, (me.c, me.number))
+    at = stop_of(plans, me.c, reached + there)
+    stop = (plans.stops[me.c, at, 0], plans.stops[me.c, at, 1])
+    if plans.field[me.c, at] >= 0 and not _sees(round, me, middle, stop):
+        on = _by_field(round, me, middle, at)
+    else:
+        on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, (me.c, me.number))
     return surely(round, me, (on.x, on.y), on.heading, on.course, True)
 
 
 def _empty_stops(characters: int, stops: int) -> Stops:
     c = characters
-    return Stops(np.zeros((c, 2)), np.zeros((c, stops, 2)), np.zeros(c, np.bool_), np.zeros(c), np.zeros(c, np.int64))
+    whole, none = np.zeros(c, np.int64), np.full((c, stops), -1, np.int64)
+    fields = np.zeros((0, 1, 1), np.float32)
+    return Stops(np.zeros((c, 2)), np.zeros((c, stops, 2)), np.zeros(c, np.bool_), np.zeros(c), whole, fields, np.ones(1), none)
 
 
 def _check_stops(stops: np.ndarray, world: World) -> None:
-    """Raises InputError for a stop outside, in a tree or in water."""
+    """Raises InputError for a stop outside, in a tree, in a wall or in water."""
     for c, p in np.ndindex(stops.shape[:2]):
         x, y = stops[c, p].tolist()
         why = ""
@@ -110,6 +146,8 @@ def _check_stops(stops: np.ndarray, world: World) -> None:
             why = f"is outside the world; 0..{world.size[0]:g} by 0..{world.size[1]:g} is allowed"
         elif queries.tree_clearance(world.arrays, x, y) < 0:
             why = "is in a tree"
+        elif queries.wall_clearance(world.arrays, x, y) < 0:
+            why = "is in a wall"
         elif queries.in_water(world.arrays, x, y):
             why = "is in water"
         if why:
@@ -124,7 +162,7 @@ class WalkTo:
 
     starts (C, 3): x, y, heading [m, rad]. stops (C, P, 2): P places of each [m]. near [m]: how close is close enough on the
     way; whoever was pushed past a place, with a free way to the next one, has reached it too. The last place is reached more
-    closely, unless others stand on it. Ways are straight but for what lies near: a maze needs stops along its way.
+    closely, unless others stand on it. Ways lead around walls, water and trees.
     """
 
     name = "WalkTo"
@@ -151,11 +189,19 @@ class WalkTo:
         plans = _empty_stops(len(situation.characters), 1)
         plans.again[:], plans.near[:] = self.again, self.near
         reached = plans.reached if situation.before is None else situation.before.reached
-        return plans._replace(start=self.places[:, :2].copy(), stops=self.stops, reached=reached)
+        widest = max((one.biped for one in situation.characters), key=lambda biped: float(biped.body.radius))
+        fields, cell, which = fields_to(situation.world, widest, self.stops.reshape(-1, 2))
+        return plans._replace(
+            start=self.places[:, :2].copy(), stops=self.stops, reached=reached, fields=fields, cell=np.array([cell]),
+            field=which.reshape(self.stops.shape[:2]),
+        )  # fmt: skip
 
     def check_plans(self, plans: Stops, characters: int) -> None:
         """Whether plans from a file are of these stops. Raises ValueError."""
         same = np.array_equal(plans.stops, self.stops) and np.array_equal(plans.start, self.places[:, :2])
+        rows = plans.field
+        same &= rows.shape == self.stops.shape[:2] and -1 <= rows.min() <= rows.max() < len(plans.fields) and plans.cell[0] > 0
+        same &= plans.fields.ndim == 3 and min(plans.fields.shape[1:]) > 0
         if not same or len(self.places) != characters or not 0 <= plans.reached.min() <= plans.reached.max() < 2**53:
             raise ValueError("plans: other stops than the planner's, or more reached than can be")
 

@@ -167,14 +167,14 @@ class Ways:
 
 
 def _is_clear(land: Land, line: np.ndarray, world: WorldArrays) -> bool:
-    """Whether a polyline (P, 2) keeps the margin to trees, but for its ends: they are where they are."""
+    """Whether a polyline (P, 2) keeps the margin to trees and walls, but for its ends: they are where they are."""
     whole = np.hypot(*np.diff(line, axis=0).T).sum()
     at = np.arange(0.0, whole, 0.25 * SPACING)
     xy, _ = along(line, at)
-    found = np.empty((len(xy), 3))
+    found = np.empty((len(xy), 4))
     queries.survey(world, np.ascontiguousarray(xy), found)
     near_ends = np.minimum(at, whole - at) < 1.5 * SPACING
-    return bool((near_ends | (found[:, 2] >= land.margin)).all())
+    return bool((near_ends | (found[:, 2:].min(axis=1) >= land.margin)).all())
 
 
 def _clear(land: Land, a: Place, b: Place, world: WorldArrays) -> bool:

@@ -70,8 +70,8 @@ def _over_water(world: World, banks: np.ndarray, reach: float) -> np.ndarray:
 
 
 def _surveyed(world: World, xy: np.ndarray) -> np.ndarray:
-    """(N, 3) height of the ground, distance to water, and to trees, at xy (N, 2)."""
-    found = np.empty((len(xy), 3))
+    """(N, 4) height of the ground, distance to water, to trees, and to walls, at xy (N, 2)."""
+    found = np.empty((len(xy), 4))
     queries.survey(world.arrays, xy, found)
     return found
 
@@ -98,9 +98,10 @@ def _alone(rocks: np.ndarray, i: int, spot: tuple, sole: float) -> bool:
 
 
 def _free(world: WorldArrays, spot: tuple, sole: float) -> bool:
-    """Whether a sole of that half diagonal keeps off trees and the border, however it is turned."""
+    """Whether a sole of that half diagonal keeps off trees, walls and the border, however it is turned."""
     x, y = spot[:2]
-    return bool(min(queries.tree_clearance(world, x, y), queries.border_clearance(world, x, y)) > sole)
+    solid = min(queries.tree_clearance(world, x, y), queries.wall_clearance(world, x, y))
+    return bool(min(solid, queries.border_clearance(world, x, y)) > sole)
 
 
 def _on_banks(world: World, sole: tuple[float, float]) -> np.ndarray:
@@ -121,7 +122,7 @@ def _on_banks(world: World, sole: tuple[float, float]) -> np.ndarray:
 def _along_column(world: World, x: float, y: np.ndarray, near: float, room: float) -> np.ndarray:
     """The bank's places (K, 3) of one x."""
     xy = np.column_stack([np.full(len(y), x), y])
-    height, water, tree = _surveyed(world, xy).T
+    height, water, tree, wall = _surveyed(world, xy).T
     border = np.minimum(np.minimum(x, world.size[0] - x), np.minimum(y, world.size[1] - y))
-    keep = (near <= water) & (water <= near + 1.5 * BANK_SPACING) & (tree > room) & (border > room)
+    keep = (near <= water) & (water <= near + 1.5 * BANK_SPACING) & (np.minimum(tree, wall) > room) & (border > room)
     return np.column_stack([xy[keep], height[keep]])

@@ -16,6 +16,7 @@ from motion.characters.dimensions import empty_bipeds
 from motion.track.footprints import Feet, Foot, Step
 from planner.round.reservations import Intents, empty_reservations
 from planner.round.round import Me, Round, Wish
+from planner.round.weights import PEOPLE, table_of_weights
 from worlds.arrays import no_world
 from worlds.compiled.jit import jit_borrowing, kernel_of
 from worlds.compiled.memory import Held, read, write
@@ -25,7 +26,14 @@ from worlds.compiled.tables import empty
 _KINDS = np.zeros(1, np.int64)
 _FOOT = Foot(0, 0.0, 0.0, 0.0, 0.0, 0.0)
 A_ROUND = Round(
-    _KINDS, empty_bipeds(1), no_world(), 0, empty_reservations(empty_bipeds(1), _KINDS, (1.0, 1.0)), empty(Intents, 1), 0
+    _KINDS,
+    empty_bipeds(1),
+    no_world(),
+    0,
+    empty_reservations(empty_bipeds(1), _KINDS, (1.0, 1.0)),
+    empty(Intents, 1),
+    0,
+    table_of_weights(PEOPLE, 1),
 )
 """For its types; `plans` is an address, which only the planner can open."""
 _, open_round, _, ROUND = handle(A_ROUND)
@@ -106,7 +114,7 @@ def _ask(round_at: int, me_at: int, wish_at: int) -> None:
 def _ask_with_plans(round_at: int, me_at: int, wish_at: int) -> None:
     bare = open_round(round_at)
     round = Round(
-        bare.kind, bare.bipeds, bare.world, open_plans(bare.plans), bare.reservations, bare.intents, bare.seed  # type: ignore[name-defined]  # noqa: F821
+        bare.kind, bare.bipeds, bare.world, open_plans(bare.plans), bare.reservations, bare.intents, bare.seed, bare.weights  # type: ignore[name-defined]  # noqa: F821
     )  # fmt: skip
     put_wish(wish_at, in_numbers(next_step(round, open_me(me_at))))  # type: ignore[name-defined]  # noqa: F821
 

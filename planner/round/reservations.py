@@ -1,9 +1,9 @@
 """What characters hold of the ground and of time, as the others see it.
 
-A footprint holds its disc for its stance. The newest two hold theirs until further notice, since their owner may stand on
-them as long as it likes; so whoever finds no room can stay where it is, and what all hold together never conflicts. The body
-holds a disc that moves along its path: straight from the middle of one pair of feet to the next, then it rests there. Beyond
-the rest lie the tentative middles: they hold nothing, but tell where the character means to go.
+A footprint holds its sole for its stance: a capsule, as long and as wide as the foot. The newest two hold theirs until further
+notice, since their owner may stand on them as long as it likes; so whoever finds no room can stay where it is, and what all
+hold together never conflicts. The body holds an ellipse, facing where its feet do, that moves along its path: straight from the
+middle of one pair of feet to the next, then it rests there.
 
 Characters lie in a grid by the place where they rest; it is sorted anew (by counting) when a tick plans.
 """
@@ -15,8 +15,9 @@ import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
 from motion.characters.dimensions import Dimensions
+from planner.round.soles import Sole, soles, soles_apart
 from worlds.compiled.jit import jit, jit_borrowing
-from worlds.compiled.tables import Integers, Pairs, Vectors
+from worlds.compiled.tables import Integers, Numbers, Pairs
 
 FEET = 3
 """Footprints that may still be on the ground when a step planned now lands."""
@@ -24,8 +25,11 @@ COMMITTED, TENTATIVE = 3, 3
 """Points of a path: up to the rest, and beyond it."""
 LAG = 0.12
 """How much later than a foot lands the body comes to the middle between the feet, in pendulum times: as measured."""
-STRAY = 0.68
-"""How far the com strays from its path, in step widths: more keeps bodies apart in a throng, less lets them through a gap."""
+AHEAD, STRAY = 0.16, 0.25
+"""How far the com strays from its path, along it in radii of the body and across it in step widths: more keeps bodies apart in
+a throng, less lets them through a gap."""
+ROOM = 0.68
+"""The same for discs, in step widths."""
 STRIDES = 6.0
 """How far one looks for others, in preferred steps beyond two bodies' radii."""
 
@@ -34,12 +38,15 @@ class Reservations(NamedTuple):
     """Of C characters; metres and seconds, world frame. Fixed size: nothing grows."""
 
     due: np.ndarray  # (C,) when the character must have planned its next footprint
-    foot: np.ndarray  # (C, FEET, 3) x, y, until when the disc is held
+    foot: np.ndarray  # (C, FEET, 5) x, y, unit vector of the heading, until when the sole is held [s]
     path: np.ndarray  # (C, COMMITTED + TENTATIVE, 3) x, y of the body's middle, when it is there [s]
     aim: np.ndarray  # (C, 2) unit vector of the course that it would take if nobody were there; 0, 0 where it stays
-    claim: np.ndarray  # (C, 3) velocity it would take if nobody of lower rank were there [m/s], its rank (right_of_way)
-    foot_radius: np.ndarray  # (C,) half the sole's diagonal
-    room: np.ndarray  # (C,) the body's radius, and how far the com strays from its path [m]
+    rank: np.ndarray  # (C,) how many steps others have kept it, or one whose claim it is in the way of, from getting on
+    face: np.ndarray  # (C, 2) unit vector in which the body faces at rest
+    claim: np.ndarray  # (C, 2) where the body would rest next if nobody of lower rank were there [m]
+    sole: np.ndarray  # (C, 2) half the length of the line in the middle of a sole, and the radius around it [m]
+    room: np.ndarray  # (C,) radius of a disc with all of the body, however it turns and strays [m]: for those who cross in file
+    half: np.ndarray  # (C, 2) half the body's depth and width, and how far the com strays from its path [m]
     reach: float  # how far one looks for others, at most the edge of a cell
     edge: float  # of a grid cell
     columns: int
@@ -52,7 +59,8 @@ class Intents(NamedTuple):
     """What C characters have decided, and the others do not see yet; a planner writes the row of its own character only."""
 
     aim: Pairs  # (C, 2) as Reservations
-    claim: Vectors  # (C, 3) as Reservations
+    claim: Pairs  # (C, 2) as Reservations
+    rank: Numbers  # (C,) as Reservations
     hindered: Integers  # (C,) steps that others kept from getting on
 
 
@@ -67,12 +75,15 @@ def empty_reservations(bipeds: Any, kind: np.ndarray, size: tuple[float, float],
     columns, rows = (int(extent / edge) + 1 for extent in size)
     return Reservations(
         due=np.zeros(c),
-        foot=np.zeros((c, FEET, 3)),
+        foot=np.zeros((c, FEET, 5)),
         path=np.zeros((c, COMMITTED + TENTATIVE, 3)),
         aim=np.zeros((c, 2)),
-        claim=np.zeros((c, 3)),
-        foot_radius=0.5 * np.hypot(bipeds["foot"]["length"], bipeds["foot"]["width"])[kind],
-        room=(bipeds["body"]["radius"] + STRAY * bipeds["gait"]["step_width"])[kind],
+        rank=np.zeros(c),
+        face=np.tile([1.0, 0.0], (c, 1)),
+        claim=np.zeros((c, 2)),
+        sole=soles(bipeds)[kind],
+        room=(bipeds["body"]["radius"] + ROOM * bipeds["gait"]["step_width"])[kind],
+        half=halves(bipeds)[kind],
         reach=reach,
         edge=edge,
         columns=columns,
@@ -80,6 +91,13 @@ def empty_reservations(bipeds: Any, kind: np.ndarray, size: tuple[float, float],
         start=np.zeros(columns * rows + 1, np.int64),
         order=np.zeros(c, np.int64),
     )
+
+
+def halves(bipeds: Any) -> np.ndarray:
+    """(K, 2) half the depth and the width that bodies of K kinds keep from others [m], the straying of the com included."""
+    body = bipeds["body"]
+    whole = np.stack([np.where(body[name] > 0, body[name], 2 * body["radius"]) for name in ("depth", "width")], axis=1)
+    return 0.5 * whole + np.stack([AHEAD * body["radius"], STRAY * bipeds["gait"]["step_width"]], axis=1)
 
 
 @jit_borrowing
@@ -128,13 +146,16 @@ def neighbours(held: Reservations, c: int, reach: float, near: np.ndarray) -> in
 
 
 @jit_borrowing
-def foot_is_free(held: Reservations, j: int, x: float, y: float, radius: float, time: float) -> bool:
-    """Whether a sole's disc at x, y, set down at `time` for good, keeps off what j's feet hold."""
-    apart = radius + held.foot_radius[j]
+def foot_is_free(held: Reservations, j: int, sole: Sole, margin: float, time: float) -> bool:
+    """Whether a sole that is set down at `time` for good keeps `margin` [m] off what j's feet hold."""
+    half, radius = held.sole[j, 0], held.sole[j, 1]
+    apart = sole.half + sole.radius + half + radius + margin
     for k in range(FEET):
-        dx, dy = held.foot[j, k, 0] - x, held.foot[j, k, 1] - y
-        if held.foot[j, k, 2] > time and dx * dx + dy * dy < apart * apart:
-            return False
+        foot = held.foot[j, k]
+        dx, dy = foot[0] - sole.x, foot[1] - sole.y
+        if foot[4] > time and dx * dx + dy * dy < apart * apart:
+            if soles_apart(sole, Sole(foot[0], foot[1], foot[2], foot[3], half, radius)) < margin:
+                return False
     return True
 
 

@@ -27,6 +27,7 @@ class Round(NamedTuple):
     reservations: Reservations  # what all show to the others
     intents: Intents
     seed: int
+    weights: Any  # (kinds,) records of planner.round.weights: what a step among others costs
 
 
 class Me(NamedTuple):

@@ -1,8 +1,8 @@
 """Where a sole may stand, and how it may come there: the one question of planners, starts, goals, scenes and edits.
 
-A sole stands where all of it is dry and inside the world, no tree and no ground reaches up into it, and a preferred step up the
-slope rises by no more than the highest step. It comes there from another foot within the reach of a step: not farther than a
-leap, no higher than max_rise, no deeper than max_drop.
+A sole stands where all of it is dry and inside the world, no tree, wall or ground reaches up into it, and a preferred step up
+the slope rises by no more than the highest step. It comes there from another foot within the reach of a step: not farther than
+a leap, no higher than max_rise, no deeper than max_drop.
 """
 
 from math import cos, hypot, inf, sin
@@ -22,10 +22,10 @@ TOE_ROOM, HIGH_SIDE = 0.05, 0.04
 """Room that is left before a sole [m], where ground rises by more than this [m]."""
 HILLSIDE = 2.12
 """The steepest slope of hills, in amplitudes per wavelength over a turn (worlds.queries.terrain_height)."""
-FINE, TREE, WATER, BORDER, ROCK, STEEP, HIGH, DEEP, FAR = range(9)
+FINE, TREE, WATER, BORDER, ROCK, STEEP, HIGH, DEEP, FAR, WALL = range(10)
 """Why not."""
 WORDS = ("", "is in a tree", "is in water", "is outside the world", "is inside a rock or a riser", "lies on too steep a slope",
-         "is too high", "is too deep", "is too far")  # fmt: skip
+         "is too high", "is too deep", "is too far", "is in a wall")  # fmt: skip
 """In words, by their numbers."""
 SHARES = (1.0, 0.85, 0.7, 0.55, 0.4, 0.25, 0.1, 0.0, -0.2, -0.4)
 """Lengths tried instead of the wished one, in shares of it."""
@@ -71,6 +71,8 @@ def _why_not_there(world: WorldArrays, x: float, y: float, sole: float) -> int:
         return BORDER
     if queries.tree_clearance(world, x, y) < 0:
         return TREE
+    if queries.wall_clearance(world, x, y) < 0:
+        return WALL
     if queries.in_water(world, x, y):
         return WATER
     return ROCK if queries.ground_height(world, x, y) > sole + UNDER else FINE

@@ -74,8 +74,17 @@ def step_toward(
     right_first: bool,
 ) -> Onward:  # fmt: skip
     """A step toward the clear course that is nearest to the wanted one, shorter where it turns."""
+    margin = min(biped.body.radius + MARGIN, queries.clearance(world, middle[0], middle[1]) - 0.01)
+    return step_within(biped, world, middle, heading, wanted, look, right_first, margin)
+
+
+@jit_borrowing
+def step_within(
+    biped: Dimensions, world: WorldArrays, middle: tuple[float, float], heading: float, wanted: float, look: float,
+    right_first: bool, margin: float,
+) -> Onward:  # fmt: skip
+    """The same, with at least `margin` [m] around."""
     x, y = middle
-    margin = min(biped.body.radius + MARGIN, queries.clearance(world, x, y) - 0.01)
     course = wanted + clear_course(biped, world, x, y, wanted, margin, look, right_first)
     most, stride = biped.reach.max_turn, biped.gait.preferred_step
     turn = min(max(course - heading, -most), most)

@@ -31,8 +31,6 @@ CLIMB, DESCENT, BRISK = 2.8, 2.8, 1.1
 """How many lengths [m] a metre up or down counts for; so reckoned, no step is longer than so many preferred ones."""
 SHORTEST_STEP = 0.75
 """Step time of a walk in pendulum times of the hip's height: shorter is scurrying."""
-HURRIED = 1.3
-"""Longest step time of those whom others hinder: in a throng, short steps are quick ones."""
 LEAST_SWING = 0.9
 """Shortest time for a swing, in pendulum times."""
 PUSH, LEAST_PUSH, COVER = 0.9, 0.5, 1.3

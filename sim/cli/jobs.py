@@ -23,6 +23,7 @@ COMMANDS = {
     "batch": "batching.batch",
     "import-trackway": "imports.trackway",
     "import-trajectories": "imports.trajectories",
+    "verify": "reporting.verified",
 }
 
 

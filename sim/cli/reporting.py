@@ -2,18 +2,22 @@
 
 import json
 import os
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from motion.characters.character import character_names, load_character
+from planner.round.weights import PEOPLE, Weights
 from sim.cli.status import DONE
 from sim.files import outputs
 from sim.files.recording import load_recording
 from sim.reports import literature, measured, timings
+from sim.reports import verify as verifying
 from sim.reports.cycles import people_of
 from sim.reports.measure import measure
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
+from worlds.reading import nearest
 
 
 def measured_run(options: Any) -> int:
@@ -66,6 +70,18 @@ def bench(options: Any) -> int:
     return DONE
 
 
+def verified(options: Any) -> int:
+    """A line for each case; a figure that does not fit is no error of the command."""
+    weights, folder, found = _weights(options.without), _folder(options.trajectories), []
+    for verdict in verifying.verify(options.quick, folder, weights):
+        found.append({**verdict._asdict(), "fits": verdict.fits})
+        if not options.json:
+            print(verifying.in_words(verdict), flush=True)
+    fits = sum(one["fits"] for one in found)
+    print(json.dumps({"cases": found, "fits": fits}) if options.json else f"{fits} of {len(found)} fit")
+    return DONE
+
+
 def _check_plot(path: str | None) -> None:
     """Before any work is done: raises InputError where the figure could not be drawn or written."""
     outputs.check({"--plot": path})
@@ -85,3 +101,28 @@ def _plots() -> ModuleType:
     except ImportError as error:
         raise InputError(f"--plot: figures need matplotlib (pip install matplotlib, or the extra `plots`): {error}") from None
     return plots
+
+
+def _weights(without: str | None) -> Weights:
+    """Those of people, one of them left out. Raises InputError where there is none of that name."""
+    if without is None:
+        return PEOPLE
+    if without not in Weights._fields:
+        raise InputError(f"--without {without}: {', '.join(Weights._fields)} are allowed{nearest(without, Weights._fields)}")
+    if without in ("gap", "horizon", "distance"):
+        raise InputError(f"--without {without}: is a scale, no term; its term is {_TERM_OF[without]}")
+    return PEOPLE._replace(**{without: 0.0})
+
+
+_TERM_OF = {"gap": "headway", "horizon": "touch", "distance": "near"}
+
+
+def _folder(wanted: str | None) -> Path | None:
+    """The folder, made where it is missing. Raises InputError."""
+    if wanted is None:
+        return None
+    try:
+        Path(wanted).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"--trajectories {wanted}: cannot be made: {error.strerror}") from None
+    return Path(wanted)

@@ -80,7 +80,9 @@ def _checked(name: str) -> tuple[str, int]:
         show = Performance(load_scene(name))
         return f"scene {show.scene.name}: {show.footprints.steps} steps, {show.end:.1f} s", len(show.warnings)
     world = load_level(name)
-    return f"{world.name}: {len(world.trees)} trees, {len(world.rocks)} rocks", len(_told(name, world))
+    return f"{world.name}: {len(world.trees)} trees, {len(world.rocks)} rocks, {len(world.walls)} walls", len(
+        _told(name, world)
+    )
 
 
 def fault_of_start(world: World, character: Character) -> str | None:

@@ -58,6 +58,7 @@ class Recorder:
             **self.sim.footprints.arrays(self.sim.crowd),
             "tree": world.arrays.trees,
             "rock": world.arrays.rocks,
+            "wall": world.arrays.walls,
             "bounds": world.arrays.bounds,
             archive.HEIGHTS: world.heights,
         }

@@ -158,16 +158,18 @@ def _legs(a: dict, time: np.ndarray, dimensions: dict) -> dict:
 
 def _places(footprints: Footprints, grounds: Grounds) -> dict:
     """Least distances of the footprints' middles; water counts only where no rock carries the foot."""
-    trees, waters, borders = [], [], []
+    trees, walls, waters, borders = [], [], [], []
     for rows, world in grounds.at(footprints.contact_time):
         for n in rows:
             x, y, _ = footprints.position[n]
             trees.append(queries.tree_clearance(world, x, y))
+            walls.append(queries.wall_clearance(world, x, y))
             borders.append(queries.border_clearance(world, x, y))
             if footprints.rock[n] < 0:
                 waters.append(queries.water_clearance(world, x, y))
     return {
         "tree_distance": min(trees),
+        "wall_distance": min(walls),
         "water_distance": min(waters, default=queries.REACH),
         "border_distance": min(borders),
     }

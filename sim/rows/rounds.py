@@ -2,6 +2,7 @@
 optimised in its window and committed. All who are due in a tick decide, then all show what they have decided.
 """
 
+from math import cos, sin
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,12 +14,14 @@ from motion.com.window import optimise_window
 from motion.track.curve import up_to
 from motion.track.footprints import feet_before
 from planner.crowd.avoiding import YIELD_TIME, give_way
+from planner.crowd.candidates import QUICK
 from planner.round import reservations
 from planner.round.kernel import A_ROUND, lend_me, lend_wish, open_wish
 from planner.round.refusals import NO_ANSWER, can_be, nothing_refused, refuse
 from planner.round.reservations import Reservations
 from planner.round.round import Me, Round, Wish, standing
 from planner.stepping import random
+from planner.stepping.going_on import going_on
 from planner.stepping.placing import lay_swing
 from planner.stepping.taking import take_step
 from sim.rows.crowd import REAL, TENTATIVE, Crowd, commit, committed_of, empty_crowd, footprints_of, horizon, shift
@@ -68,33 +71,35 @@ def _wish(work: Work, me: Me) -> Wish:
 
 @jit_borrowing
 def _wish_among_others(work: Work, me: Me) -> tuple[Wish, bool]:
-    """A real step: the wish, or what is free of others instead of it; and whether it stands though it wished to go."""
+    """A real step: the wish, or what is free of others instead of it; and whether it is another one than was wished."""
     if work.crowd.paused[me.c]:
         return standing(me, YIELD_TIME), True
     wish = _wish(work, me)
     if not wish.avoids:
         return wish, False
     free = give_way(work.round, me, wish)
-    return free, free.step.stands > 0 and not wish.step.stands > 0
+    return free, free.step != wish.step
 
 
 @Part
 def plan_step(address: int, c: int) -> None:
-    """Character c's footprint n, its timing, and the tentative ones behind it; who has to stand means to go on standing."""
+    """Character c's footprint n, its timing, and the tentative ones behind it; whom others hinder means to go on as it does."""
     work = open_work(address)
     crowd, round = work.crowd, work.round
     if crowd.real[c] == REAL:
         shift(crowd, c)
     crowd.number[c] += 1
     n, footprints, biped = crowd.real[c], row(crowd.footprints, c), round.bipeds[crowd.kind[c]]
-    held_up = False
+    hindered = False
     for k in range(n, n + 1 + TENTATIVE):
         me = Me(c, crowd.number[c] + k - n, k == n, crowd.intents.hindered[c], feet_before(footprints, k))
         if k == n:
-            wish, held_up = _wish_among_others(work, me)
+            wish, hindered = _wish_among_others(work, me)
             crowd.standing[c] = wish.step.stands > 0
-        elif held_up:
+        elif hindered and crowd.standing[c]:
             wish = standing(me, YIELD_TIME)
+        elif hindered and me.feet.older.side != me.feet.newer.side:
+            wish = Wish(going_on(biped, me.feet), me.feet.newer.heading, QUICK, False, False)
         else:
             wish = _wish(work, me)
         take_step(biped, round.world, footprints, k, wish)
@@ -130,13 +135,15 @@ def publish(crowd: Crowd, round: Round, c: int) -> None:
     held, n, intents, f = round.reservations, crowd.real[c], crowd.intents, crowd.footprints
     held.due[c] = horizon(crowd, c)
     held.aim[c, 0], held.aim[c, 1] = intents.aim[c, 0], intents.aim[c, 1]
-    for k in range(3):
-        held.claim[c, k] = intents.claim[c, k]
+    held.rank[c], held.claim[c, 0], held.claim[c, 1] = intents.rank[c], intents.claim[c, 0], intents.claim[c, 1]
+    facing = 0.5 * (f.heading[c, n - 2] + f.heading[c, n - 1])
+    held.face[c, 0], held.face[c, 1] = cos(facing), sin(facing)
     late = reservations.lag(round.bipeds[crowd.kind[c]])
     for k in range(reservations.FEET):
         i = max(n - reservations.FEET + k, 0)
         held.foot[c, k, 0], held.foot[c, k, 1] = f.position[c, i, 0], f.position[c, i, 1]
-        held.foot[c, k, 2] = np.inf if i >= n - 2 else f.contact_time[c, i] + f.stance_time[c, i]
+        held.foot[c, k, 2], held.foot[c, k, 3] = cos(f.heading[c, i]), sin(f.heading[c, i])
+        held.foot[c, k, 4] = np.inf if i >= n - 2 else f.contact_time[c, i] + f.stance_time[c, i]
     for k in range(reservations.COMMITTED + reservations.TENTATIVE):
         i = max(n - reservations.COMMITTED + k, 0)
         before = max(i - 1, 0)

@@ -85,7 +85,8 @@ def void() -> WorldArrays:
     nothing, none = np.zeros(2, np.int64), np.zeros(0, np.int64)
     return WorldArrays(
         np.array([-1e5, -1e5, 1e5, 1e5]), FLAT, np.zeros(8), np.zeros((1, 1)), np.zeros((0, 3)), np.zeros((0, 5)),
-        np.zeros((KEPT, 4)), 1, nothing, none, nothing, none, np.array([0, KEPT]), np.arange(KEPT),
+        np.zeros((KEPT, 4)), 1, nothing, none, nothing, none, np.array([0, KEPT]), np.arange(KEPT), np.zeros((0, 5)),
+        nothing, none,
     )  # fmt: skip
 
 
@@ -103,7 +104,7 @@ def _world_of(ground: Ground, c: int) -> WorldArrays:
     w = ground.common
     return WorldArrays(
         w.bounds, w.terrain_kind, w.terrain, w.heights, w.trees, w.banks, ground.stones.place[c], w.columns, w.tree_start,
-        w.tree_index, w.bank_start, w.bank_index, w.rock_start, w.rock_index,
+        w.tree_index, w.bank_start, w.bank_index, w.rock_start, w.rock_index, w.walls, w.wall_start, w.wall_index,
     )  # fmt: skip
 
 

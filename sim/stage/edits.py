@@ -9,7 +9,7 @@ import numpy as np
 from sim.stage.command import Command
 from sim.stage.simulation import Simulation
 from worlds.errors import InputError
-from worlds.queries import border_clearance, tree_clearance, water_clearance
+from worlds.queries import border_clearance, tree_clearance, wall_clearance, water_clearance
 from worlds.reading import nearest
 from worlds.world import World
 
@@ -18,7 +18,7 @@ ROOM = 0.7
 BESIDE = 0.05
 """Nor does its side come this near to a sole [m]."""
 DRY = 0.3
-"""A goal is this far from trees and water [m]."""
+"""A goal is this far from trees, walls and water [m]."""
 
 
 class Edit(Command):
@@ -131,6 +131,7 @@ class SetGoal(Edit):
     def check(self, sim: Simulation) -> None:
         """It must have room."""
         _place(sim.world, self.x, self.y, "goal")
-        arrays = sim.world.arrays
-        if tree_clearance(arrays, self.x, self.y) < DRY or water_clearance(arrays, self.x, self.y) < DRY:
-            raise InputError(f"goal at ({self.x:.2f}, {self.y:.2f}): needs dry ground {DRY:g} m away from trees and water")
+        clearances = (clear(sim.world.arrays, self.x, self.y) for clear in (tree_clearance, wall_clearance, water_clearance))
+        if min(clearances) < DRY:
+            place = f"({self.x:.2f}, {self.y:.2f})"
+            raise InputError(f"goal at {place}: needs dry ground {DRY:g} m away from trees, walls and water")

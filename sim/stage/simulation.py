@@ -16,6 +16,7 @@ from planner.round.kernel import ROUND
 from planner.round.refusals import nothing_refused, raise_refused
 from planner.round.reservations import empty_reservations
 from planner.round.round import Round
+from planner.round.weights import PEOPLE, Weights, table_of_weights
 from planner.stepping.beside import beside
 from sim.rows import rounds
 from sim.rows.crowd import Crowd
@@ -42,10 +43,10 @@ class Simulation(Cast):
 
     def __init__(
         self, world: World, characters: Sequence[Character], planner: Planner, seed: int = 0, tick_rate: int = TICK_RATE,
-        state: State | None = None,
+        state: State | None = None, weights: Weights = PEOPLE,
     ) -> None:  # fmt: skip
         super().__init__(world, characters, seed, tick_rate)
-        self.planner = planner
+        self.planner, self.weights = planner, weights
         self._placed, self._refused = np.zeros(len(self.characters), np.int64), nothing_refused(len(self.characters))
         if state is None:
             self._begin()
@@ -113,7 +114,7 @@ class Simulation(Cast):
         self.bipeds = table_of(self.kinds)
         self.stand_beside(c, (float(middle[0]), float(middle[1])), float(feet.heading[c, 1]))
         self.crowd.number[c] = number
-        self.crowd.intents.aim[c], self.crowd.intents.claim[c], self.crowd.intents.hindered[c] = 0.0, 0.0, 0
+        self.crowd.intents.aim[c], self.crowd.intents.rank[c], self.crowd.intents.hindered[c] = 0.0, 0.0, 0
         self._use(plans)
         self._publish_anew()
         self._plan()
@@ -136,7 +137,8 @@ class Simulation(Cast):
         """Everyone shows what it holds: reservations follow from the rows."""
         reservations = empty_reservations(self.bipeds, self.crowd.kind, self.world.size, getattr(self.planner, "looks", 0.0))
         crowd = self.crowd
-        self._hold(Round(crowd.kind, self.bipeds, self.world.arrays, 0, reservations, crowd.intents, self.seed))
+        weights = table_of_weights(self.weights, len(self.kinds))
+        self._hold(Round(crowd.kind, self.bipeds, self.world.arrays, 0, reservations, crowd.intents, self.seed, weights))
         rounds.publish_all(self.work.address, np.arange(len(self.characters)))
 
     @property

@@ -1,6 +1,6 @@
 """What a well-formed level may still get wrong: things outside, in trees, in water."""
 
-from worlds.queries import border_clearance, in_water, tree_clearance
+from worlds.queries import border_clearance, in_water, tree_clearance, wall_clearance
 from worlds.world import World
 
 
@@ -27,6 +27,8 @@ def _place_faults(world: World, key: str, place: tuple[float, float]) -> list[st
     found = []
     if tree_clearance(world.arrays, *place) <= 0:
         found.append(f"{said}: is inside a tree; move it, or the tree")
+    if wall_clearance(world.arrays, *place) <= 0:
+        found.append(f"{said}: is inside a wall; move it, or the wall")
     if in_water(world.arrays, *place):
         found.append(f"{said}: is in water; move it to land or onto a rock")
     return found

@@ -95,18 +95,18 @@ class _Discs:
         return np.array(found, np.float64).reshape(-1, 3)
 
     def _tries(self, world: World, chance: _Chance) -> Generator[tuple[float, float, float, float]]:
-        """Chance's places and radii, each with its distance to water, without end."""
+        """Chance's places and radii, each with its distance to water and walls, without end."""
         low, high = self.radius
         block, used = 3 * min(max(2 * self.count, 16), 4096), 0
         try:
             while True:
                 u = chance.look(block).reshape(-1, 3)
                 xy = np.ascontiguousarray(u[:, :2] * world.size)
-                found = np.full((len(xy), 3), REACH)
-                if len(world.arrays.banks):
+                found = np.full((len(xy), 4), REACH)
+                if len(world.arrays.banks) or len(world.arrays.walls):
                     survey(world.arrays, xy, found)
-                rows = zip(xy[:, 0].tolist(), xy[:, 1].tolist(), (low + (high - low) * u[:, 2]).tolist(), found[:, 1].tolist(),
-                           strict=True)  # fmt: skip
+                columns = (*xy.T, low + (high - low) * u[:, 2], found[:, [1, 3]].min(axis=1))
+                rows = zip(*(column.tolist() for column in columns), strict=True)
                 for used, row in enumerate(rows, 1):  # noqa: B007
                     yield row
                 chance.use(block)

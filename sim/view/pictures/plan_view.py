@@ -8,7 +8,7 @@ import numpy as np
 from sim.stage.cast import Cast
 from sim.view.scenery.trail import Trail
 
-GRASS, WATER, TREE, STONE = (119, 146, 84), (64, 118, 130), (58, 88, 48), (143, 141, 136)
+GRASS, WATER, TREE, STONE, PLASTER = (119, 146, 84), (64, 118, 130), (58, 88, 48), (143, 141, 136), (214, 203, 182)
 SOLE, BODY = (70, 62, 41), (250, 245, 230)
 
 
@@ -30,10 +30,11 @@ def draw_plan(surface: Any, sim: Cast, trail: Trail, centre: np.ndarray, metres:
         surface.fblits([(disc, corner) for corner in (at(places) - radius).tolist()])
 
     surface.fill(GRASS)
-    for river in sim.world.rivers:
-        for a, b in itertools.pairwise(at(river.points)):
-            pygame.draw.line(surface, WATER, a.tolist(), b.tolist(), max(int(river.width * scale), 1))
-        stamp(river.points, int(river.width / 2 * scale), WATER)
+    rivers = [(river.points, river.width, WATER) for river in sim.world.rivers]
+    for points, width, colour in [*rivers, *((wall.points, wall.thickness, PLASTER) for wall in sim.world.walls)]:
+        for a, b in itertools.pairwise(at(points)):
+            pygame.draw.line(surface, colour, a.tolist(), b.tolist(), max(int(width * scale), 1))
+        stamp(points, int(width / 2 * scale), colour)
     for things, colour in ((sim.world.rocks, STONE), (sim.world.trees, TREE)):
         for place, thing in zip(at(things), things, strict=True):
             pygame.draw.circle(surface, colour, place.tolist(), max(int(thing[2] * scale), 1))

@@ -88,6 +88,7 @@ class Renderer:
             self._upload("ground", *meshes.GROUNDS.get(world.terrain, meshes.ground)(world))
             self._forest.plant(world)
         self._upload("rocks", meshes.rocks(world))
+        self._upload("walls", meshes.walls(world))
         self._upload("water", meshes.water(world))
 
     def draw(self, target: moderngl.Framebuffer, sim: Cast, camera: Camera, time: float, focus: int) -> None:
@@ -118,6 +119,7 @@ class Renderer:
         """The world and the sky."""
         self._forest.draw(lit["tree"])
         self._draw_static("rocks", lit["mesh"])
+        self._draw_static("walls", lit["mesh"])
         for prints in self._prints:
             prints.draw(lit["print"])
         self._draw_static("ground", lit["mesh"])
@@ -175,6 +177,7 @@ class Renderer:
             _set(program, "eye", (SUN_FAR * SUN).astype("f4").tobytes())
         if not self.alone:
             self._draw_static("rocks", self._depth["mesh"])
+            self._draw_static("walls", self._depth["mesh"])
             self._forest.draw(self._depth["tree"])
         for mesh in (self._clay["coarse"], self._clay["flat"]):
             self._draw_clay(self._depth["clay"], mesh, self._clay["flat"])

@@ -7,6 +7,9 @@ from worlds.world import World
 
 GRASS, MOSS, SAND = np.array([0.47, 0.53, 0.29]), np.array([0.36, 0.44, 0.25]), np.array([0.74, 0.68, 0.48])
 STONE = np.array([0.56, 0.55, 0.53])
+PLASTER = np.array([0.80, 0.76, 0.68])
+WALL_CUT = 1.0
+"""Walls are drawn up to this height [m]."""
 WATER_BELOW = 0.06
 """The water's surface lies this far below the banks [m]."""
 SKIRT = 25.0
@@ -67,9 +70,10 @@ def ground(world: World, cells: int = 150) -> tuple[np.ndarray, np.ndarray]:
     if world.rivers:  # finer, for the banks
         xs, ys = (np.linspace(-SKIRT, size + SKIRT, 2 * cells) for size in world.size)
     xy = np.stack(np.meshgrid(xs, ys), axis=-1)
-    found = np.empty((xy.shape[0] * xy.shape[1], 3))
+    found = np.empty((xy.shape[0] * xy.shape[1], 4))
     survey(world.arrays, np.ascontiguousarray(xy.reshape(-1, 2)), found)
-    height, wet, shade = np.moveaxis(found.reshape(*xy.shape[:2], 3), 2, 0)
+    height, wet, trees, walls = np.moveaxis(found.reshape(*xy.shape[:2], 4), 2, 0)
+    shade = np.minimum(trees, walls)
     height = height - 0.35 * np.clip(-wet / 0.6, 0, 1) * (wet < 0)
     x, y = xy[..., 0], xy[..., 1]
     bent = x + 2.3 * np.sin(0.31 * y + 1.1 * np.sin(0.07 * x)), y + 2.7 * np.sin(0.23 * x + 0.9)  # so that no grid shows
@@ -126,6 +130,23 @@ def spiral_stairs(world: World) -> tuple[np.ndarray, np.ndarray]:
 
 GROUNDS = {"stairs": stairs, "spiral_stairs": spiral_stairs}
 """Terrains that are not smooth; the others are a `ground`."""
+
+
+def walls(world: World) -> np.ndarray:
+    """Each piece of a wall a box on the ground, cut off at WALL_CUT as in an architect's model, so that one sees over it."""
+    parts = []
+    for x0, y0, x1, y1, half in world.arrays.walls:
+        a, b = np.array([x0, y0]), np.array([x1, y1])
+        along = (b - a) / max(np.linalg.norm(b - a), 1e-9)
+        across = half * np.array([-along[1], along[0]])
+        a, b = a - half * along, b + half * along
+        corners = np.array([a - across, b - across, b + across, a + across, a - across])
+        ground = [terrain_height(world.arrays, *corner) for corner in corners]
+        low, high = min(ground) - 0.1, max(ground) + WALL_CUT
+        sides = np.array([[(*corner, z) for corner in corners] for z in (low, high)])
+        top = np.array([[(*corners[0], high), (*corners[1], high)], [(*corners[3], high), (*corners[2], high)]])
+        parts += [_triangles(quads(sides).reshape(-1, 3), PLASTER), _triangles(quads(top).reshape(-1, 3), 0.8 * PLASTER)]
+    return np.vstack(parts).astype("f4") if parts else np.zeros((0, 9), "f4")
 
 
 def rocks(world: World) -> np.ndarray:

@@ -6,10 +6,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motion.characters.character import load_character
-from planner.crowd.foresight import time_to_collision
 from planner.round import reservations
 from planner.round.reservations import COMMITTED, FEET, TENTATIVE
+from planner.round.soles import Sole, soles_apart
 from sim.stage.cast import table_of
+from tests.crowds import lines_apart
 
 BIPEDS = table_of([load_character(name) for name in ("bird", "human")])
 SIZE = (30.0, 20.0)
@@ -24,7 +25,8 @@ def some(count, seed):
     held.path[:, 1:, :2] = held.path[:, :1, :2] + rng.normal(0, 0.4, (count, COMMITTED + TENTATIVE - 1, 2)).cumsum(axis=1)
     held.path[:, :, 2] = rng.uniform(0, 0.7, (count, COMMITTED + TENTATIVE)).cumsum(axis=1)
     held.foot[:, :, :2] = held.path[:, :FEET, :2] + rng.normal(0, 0.1, (count, FEET, 2))
-    held.foot[:, :, 2] = np.where(np.arange(FEET) < FEET - 2, rng.uniform(0, 2, (count, FEET)), np.inf)
+    held.foot[:, :, 2] = 1.0
+    held.foot[:, :, 4] = np.where(np.arange(FEET) < FEET - 2, rng.uniform(0, 2, (count, FEET)), np.inf)
     held.due[:] = rng.integers(0, 3, count) / 60
     reservations.sort_into_cells(held)
     return held
@@ -90,27 +92,25 @@ def test_least_distance_is_that_of_dense_samples(seed):
     np.testing.assert_allclose(reservations.place_on_path(held, 0, t0, REST), theirs[:, 0], atol=1e-9)
 
 
-def test_feet_hold_their_discs_until_they_leave():
+def sole_at(x, y, heading=0.0, half=0.08, radius=0.05):
+    return Sole(x, y, np.cos(heading), np.sin(heading), half, radius)
+
+
+def test_feet_hold_their_soles_until_they_leave():
     held = some(1, 3)
-    held.foot[0] = [[1, 1, 5.0], [2, 1, np.inf], [3, 1, np.inf]]
-    radius = held.foot_radius[0]
-    assert not reservations.foot_is_free(held, 0, 1.0, 1.0 + 1.9 * radius, radius, 4.9)
-    assert reservations.foot_is_free(held, 0, 1.0, 1.0 + 1.9 * radius, radius, 5.1)
-    assert reservations.foot_is_free(held, 0, 1.0, 1.0 + 2.1 * radius, radius, 4.9)
-    assert not reservations.foot_is_free(held, 0, 3.0, 1.0 - 1.9 * radius, radius, 99.0)
+    held.foot[0] = [[1, 1, 1, 0, 5.0], [2, 1, 1, 0, np.inf], [3, 1, 1, 0, np.inf]]
+    half, radius = held.sole[0]
+    assert not reservations.foot_is_free(held, 0, sole_at(1.0, 1.04 + radius), 0.0, 4.9)
+    assert reservations.foot_is_free(held, 0, sole_at(1.0, 1.04 + radius), 0.0, 5.1)
+    assert reservations.foot_is_free(held, 0, sole_at(1.0, 1.06 + radius), 0.0, 4.9), "side by side"
+    assert not reservations.foot_is_free(held, 0, sole_at(1.0, 1.06 + radius), 0.02, 4.9), "with a margin"
+    assert not reservations.foot_is_free(held, 0, sole_at(3.0 + half + radius, 1.0), 0.0, 99.0), "one behind the other"
 
 
-@given(st.tuples(*[st.floats(-3, 3).map(lambda number: round(number, 6))] * 4), st.floats(0.1, 1))
-def test_time_to_collision_is_that_of_dense_samples(state, apart):
-    """Also where they only graze each other, where dense samples cannot tell whether they touch."""
-    p, v = np.array(state[:2]), np.array(state[2:])
-    times = np.linspace(0, 10, 20001)
-    distance = np.linalg.norm(p[:, None] + v[:, None] * times, axis=0)
-    ttc = time_to_collision(*p, *v, apart)
-    if np.isinf(ttc):
-        assert distance.min() >= apart - 1e-3 or distance.argmin() == 0
-    elif ttc == 0:
-        assert distance[0] <= apart + 1e-9 and p @ v < 0
-    else:
-        assert np.linalg.norm(p + v * ttc) == pytest.approx(apart, abs=1e-6)
-        assert (distance[times < ttc] >= apart - 1e-9).all()
+@given(st.tuples(*[st.floats(-0.4, 0.4)] * 2), st.floats(-3, 3), st.floats(-3, 3))
+def test_soles_are_as_far_apart_as_dense_samples_of_their_lines(place, first, second):
+    a, b = sole_at(0.0, 0.0, first), sole_at(*place, second, 0.1, 0.04)
+    u, v = (np.array([[s.half * s.ahead_x, s.half * s.ahead_y]]) for s in (a, b))
+    twin = lines_apart(np.zeros((1, 2)), u, np.array([place]), v)[0] - 0.09
+    found = soles_apart(a, b)
+    assert found == pytest.approx(twin, abs=4e-3) or (found < 0 and twin < 0)

@@ -1,0 +1,105 @@
+"""What a step among others costs, term by term: the one objective by which a step is chosen (weights: planner.round.weights).
+
+    cost = progress lost + turn + headway + touch + near + side + stand
+
+each a number without unit, times its weight. Others are expected to keep their pace.
+"""
+
+from math import cos, exp, hypot, inf, sin
+from typing import Any
+
+from motion.arithmetic.angles import wrapped
+from planner.crowd.bodies import extent, gap_between, way_to_touch
+from planner.crowd.candidates import Candidate
+from planner.crowd.walker import Walker
+from worlds.compiled.jit import jit_borrowing
+
+SOON = 0.5
+"""Touches sooner than this, in swings, cost no more."""
+FADED = 4.0
+"""Others further away than so many distances are not felt."""
+
+
+@jit_borrowing
+def progress_lost(walker: Walker, vx: float, vy: float) -> float:
+    """Speed lost on the wished course, in the full one (the driving term of all models since Helbing & Molnar 1995).
+
+    Who is calm wishes for a velocity, and loses by every other one: who arrives would overshoot.
+    """
+    if walker.calm:
+        return hypot(vx - walker.wish_x, vy - walker.wish_y) / walker.full
+    return max(1 - (vx * cos(walker.course) + vy * sin(walker.course)) / walker.full, 0.0)
+
+
+@jit_borrowing
+def turned(walker: Walker, step: Candidate) -> float:
+    """Radians that the foot turns off the wished course, and how far the step slants off the foot (0 ahead, 1 aside)."""
+    dx, dy = step.x - walker.x, step.y - walker.y
+    far = hypot(dx, dy)
+    slant = 0.0 if far <= 0 else 1 - (dx * cos(step.heading) + dy * sin(step.heading)) / far
+    return abs(wrapped(step.heading - walker.course)) + slant
+
+
+@jit_borrowing
+def _way(walker: Walker, other: Any, px: float, py: float, dx: float, dy: float) -> float:
+    """The way [m] in direction d until my body touches the other's, which is at p."""
+    largest = max(walker.deep, walker.wide) + max(other.deep, other.wide)
+    if px * dx + py * dy <= 0 or abs(px * dy - py * dx) >= largest:
+        return inf
+    mine, face = (walker.deep, walker.wide), (walker.face_x, walker.face_y)
+    its, looks = (other.deep, other.wide), (other.face_x, other.face_y)
+    deep = extent(mine, face, dx, dy) + extent(its, looks, dx, dy)
+    wide = extent(mine, face, -dy, dx) + extent(its, looks, -dy, dx)
+    return way_to_touch(px, py, dx, dy, deep, wide)
+
+
+@jit_borrowing
+def headway_lacking(walker: Walker, other: Any, vx: float, vy: float, time: float, gap: float) -> float:
+    """Speed beyond what the time gap to one before me allows, in full speeds: v > s / gap (Tordeux, Chraibi & Seyfried 2016).
+
+    s is the way until the bodies touch when my step, which takes `time` [s], has landed, and the other has kept its pace.
+    """
+    speed = hypot(vx, vy)
+    if speed <= 0:
+        return 0.0
+    px, py = other.x + time * (other.vx - vx), other.y + time * (other.vy - vy)
+    way = _way(walker, other, px, py, vx / speed, vy / speed)
+    return 0.0 if way == inf else max(speed - max(way, 0.0) / gap, 0.0) / walker.full
+
+
+@jit_borrowing
+def danger(walker: Walker, other: Any, vx: float, vy: float, horizon: float, swing: float) -> float:
+    """1 / time to touch, in swings, beyond that of the horizon (time to collision; Karamouzas et al. 2014), times the speed at
+    which they would touch, in the full one: who shuffles harms nobody."""
+    wx, wy = vx - other.vx, vy - other.vy
+    speed = hypot(wx, wy)
+    if speed < 1e-9:
+        return 0.0
+    time = max(_way(walker, other, other.x, other.y, wx / speed, wy / speed), 0.0) / speed / swing
+    return speed / walker.full * (1 / max(time, SOON) - 1 / horizon) if time < horizon else 0.0
+
+
+@jit_borrowing
+def nearness(walker: Walker, other: Any, vx: float, vy: float, time: float, distance: float) -> float:
+    """exp(-gap / distance) to another when my step has landed (social distance; Helbing & Molnar 1995)."""
+    px, py = other.x + time * (other.vx - vx), other.y + time * (other.vy - vy)
+    if px * px + py * py > (FADED * distance + walker.wide + other.wide) ** 2:
+        return 0.0
+    mine, face = (walker.deep, walker.wide), (walker.face_x, walker.face_y)
+    gap = gap_between(mine, face, (other.deep, other.wide), (other.face_x, other.face_y), px, py)
+    return exp(-max(gap, 0.0) / distance)
+
+
+@jit_borrowing
+def in_the_way(walker: Walker, other: Any, x: float, y: float) -> float:
+    """How deep my body, resting at x, y, lies in the claim of one who has the right of way, in my half depth; at most 1.
+
+    Who has waited longer has it (right of way; Curtis, Zafar, Gutub & Manocha 2013).
+    """
+    px, py = other.claim_x - x, other.claim_y - y
+    far = walker.wide + other.wide + walker.deep + other.deep
+    if not (abs(px) < far and abs(py) < far):
+        return 0.0
+    mine, face = (walker.deep, walker.wide), (walker.face_x, walker.face_y)
+    gap = gap_between(mine, face, (other.deep, other.wide), (other.face_x, other.face_y), px, py)
+    return min(max(-gap, 0.0) / walker.deep, 1.0)

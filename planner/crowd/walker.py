@@ -1,0 +1,64 @@
+"""Who plans among others: its last footprint, and when and where its body will be as that one lands."""
+
+from math import cos, sin
+from typing import NamedTuple
+
+from planner.round.reservations import lag
+from planner.round.round import Me, Round, biped_of
+from planner.stepping import timing
+from planner.stepping.beside import middle_beside
+from worlds import queries
+from worlds.compiled.jit import jit_borrowing
+
+
+class Walker(NamedTuple):
+    """Me among others; metres and seconds."""
+
+    c: int
+    side: int  # of the foot to be placed
+    foot_x: float  # the last footprint
+    foot_y: float
+    x: float  # middle, beside it
+    y: float
+    heading: float
+    rest_x: float  # where the body rests: between the last two footprints
+    rest_y: float
+    time: float  # contact of the last footprint [s]
+    there: float  # when the body comes to rest beside it [s]
+    overlap: float  # of the last two stances [s]
+    margin: float  # kept from trees and walls [m]
+    full: float  # speed when nothing hinders [m/s]
+    calm: bool  # it arrives, turns on the spot or has a wall before it: it wishes for no more than this velocity
+    wish_x: float  # [m/s]
+    wish_y: float
+    hindered: int  # steps that did not get on
+    course: float  # where it wishes to go [rad]
+    face_x: float  # where the body faces at rest: unit vector
+    face_y: float
+    deep: float  # half axes of the body [m]
+    wide: float
+
+
+@jit_borrowing
+def walker_of(round: Round, me: Me, course: float) -> Walker:
+    """Me among others, on a wished course [rad]."""
+    biped, older, newer, held = biped_of(round, me), me.feet.older, me.feet.newer, round.reservations
+    x, y = middle_beside(biped, newer)
+    rest_x, rest_y = 0.5 * (older.x + newer.x), 0.5 * (older.y + newer.y)
+    margin = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01)
+    stride, facing = biped.gait.preferred_step, 0.5 * (older.heading + newer.heading)
+    full = stride / timing.step_timing(biped, stride, 0.0, 0.0, False)[0]
+    contact, overlap = newer.contact_time, older.contact_time + older.stance_time - newer.contact_time
+    return Walker(
+        me.c, 1 - newer.side, newer.x, newer.y, x, y, newer.heading, rest_x, rest_y, contact, contact + lag(biped), overlap,
+        margin, full, False, 0.0, 0.0, me.hindered, course, cos(facing), sin(facing), held.half[me.c, 0], held.half[me.c, 1],
+    )  # fmt: skip
+
+
+@jit_borrowing
+def calmed(w: Walker, wish_x: float, wish_y: float) -> Walker:
+    """The same, who wishes for no more than that velocity [m/s]."""
+    return Walker(
+        w.c, w.side, w.foot_x, w.foot_y, w.x, w.y, w.heading, w.rest_x, w.rest_y, w.time, w.there, w.overlap, w.margin, w.full,
+        True, wish_x, wish_y, w.hindered, w.course, w.face_x, w.face_y, w.deep, w.wide,
+    )  # fmt: skip

@@ -1,0 +1,47 @@
+"""What a step among others costs: one table of weights, which is the same for all that are alike.
+
+A candidate footprint costs the sum of the terms of planner.crowd.terms; each line below is the weight of one of them, or the
+scale of what it measures. Lengths and times are in the character's own units, so that birds, people and dinosaurs do alike: a
+stride is its preferred step [m], a swing the pendulum time sqrt(h / g) of its hips [s].
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+
+class Weights(NamedTuple):
+    """Costs are counted in progress: 1 is to stand for the time of a step."""
+
+    progress: float = 1.0
+    """Of speed lost on the wished course; more of it presses on, and turns aside less."""
+    turn: float = 0.15
+    """Of a radian that the foot turns off the wished course, or the body goes off its heading: more of it walks straighter."""
+    headway: float = 2.5
+    """Of going faster than the time gap to who is before one allows, in full speeds; above `progress`, so that it is kept."""
+    gap: float = 1.3
+    """Time gap kept to who is before one, in swings: more of it follows from further behind, and flows less."""
+    touch: float = 0.35
+    """Of an early touch, per 1 / swings of time until then, at full speed: more of it swerves earlier and wider."""
+    horizon: float = 6.0
+    """Touches later than this, in swings, do not matter."""
+    near: float = 0.2
+    """Of having others near, each: more of it spreads out."""
+    distance: float = 0.2
+    """By which having others near fades, in strides: more of it feels further."""
+    side: float = 1.5
+    """Of leaving those who come against one on the right: streams part into lanes, each to its own right."""
+    rank: float = 1.0
+    """Of resting where one who has waited longer would go: more of it makes way, and backs off, sooner."""
+    stand: float = 0.05
+    """Of standing still: more of it shuffles on."""
+
+
+PEOPLE = Weights()
+"""As measured (docs/crowds.md)."""
+WEIGHTS = np.dtype([(name, np.float64) for name in Weights._fields])
+
+
+def table_of_weights(weights: Weights, kinds: int) -> Any:
+    """(kinds,) records of WEIGHTS, for kernels."""
+    return np.array([weights] * kinds, WEIGHTS).view(np.recarray)
