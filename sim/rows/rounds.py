@@ -78,7 +78,9 @@ def _wish_among_others(work: Work, me: Me) -> tuple[Wish, bool]:
     if not wish.avoids:
         return wish, False
     free = give_way(work.round, me, wish)
-    return free, free.step != wish.step
+    step, taken = wish.step, free.step
+    other = taken.x != step.x or taken.y != step.y or taken.heading != step.heading
+    return free, other or (taken.stands > 0 and not step.stands > 0)
 
 
 @Part
