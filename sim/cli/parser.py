@@ -118,31 +118,26 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     sheets.add_argument("--folder", default="docs/scenes", help="where to write them")
     measure = commands.add_parser("measure", help="measure the quality of a recorded run")
     measure.add_argument("recording", metavar="RUN.npz")
-    measure.add_argument("--json", action="store_true")
     measure.add_argument("--plot", metavar="OUT.png", help="draw com, costs, joints, stances over time (.png, .svg, .pdf)")
     measure.add_argument("--character-index", type=_index, default=0, metavar="C", help="of the character to draw, from 0")
     measure.add_argument("--between", type=float, nargs=2, metavar=("T0", "T1"), help="draw only these seconds")
     timing = commands.add_parser("timing", help="the automatic timing over the step length")
     timing.add_argument("--character", help="bird, dinosaur, human, ostrich, or a .toml file; without it every one that ships")
     timing.add_argument("--plot", metavar="OUT.png", help="draw it (.png, .svg, .pdf)")
-    timing.add_argument("--json", action="store_true")
     literature = commands.add_parser("literature", help="compare the human, walking and running on the flat, with people")
-    literature.add_argument(
-        "--curves", metavar="PEOPLE.csv", help="compare whole curves: gait,quantity,percent,mean in columns"
-    )
+    literature.add_argument("--curves", metavar="PEOPLE.csv", help="compare whole curves: gait,quantity,percent,mean")
     literature.add_argument("--plot", metavar="OUT.png", help="draw the curves of a stride (.png, .svg, .pdf)")
-    literature.add_argument("--json", action="store_true")
     verify = commands.add_parser("verify", help="compare crowds with people: speed over density, bottlenecks, counterflow")
-    verify.add_argument("--quick", action="store_true", help="a few small cases")
+    verify.add_argument("--quick", action="store_true", help="few cases")
     verify.add_argument("--without", metavar="TERM", help="leave a term of the steps' costs out, such as headway")
     verify.add_argument("--trajectories", metavar="FOLDER", help="write where everyone went, as PedPy reads it")
-    verify.add_argument("--json", action="store_true")
     check = commands.add_parser("check", help="check level, scene and character files; names every fault")
     check.add_argument("files", nargs="+", metavar="FILE")
     bench = commands.add_parser("bench", help="measure speed against other solvers")
-    bench.add_argument("--json", action="store_true")
     bench.add_argument("--quick", action="store_true", help="fewer repetitions and smaller crowds")
     bench.add_argument("--plot", metavar="OUT.png", help="draw how crowds keep real time, and what a step costs")
+    for report in (measure, timing, literature, verify, bench):
+        report.add_argument("--json", action="store_true")
 
 
 def _add_imports(commands: argparse._SubParsersAction) -> None:
