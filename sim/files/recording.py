@@ -12,6 +12,7 @@ import numpy as np
 from motion.characters.character import Character, character_names, load_character
 from motion.pose.pose import Pose
 from motion.track.footprints import Footprints
+from planner.script.turned import BoneKey
 from sim.files import archive
 from sim.files.frames import Frames
 from sim.files.schema import RunMeta, check_run
@@ -77,6 +78,7 @@ class Recorder:
             "seed": sim.seed,
             "rate": sim.tick_rate,
             "characters": [character.to_dict() for character in sim.first_characters],
+            "hand_keys": [[key._asdict() for key in sim.hand_keys(c)] for c in range(len(sim.characters))],
             "looks": [character.look.model_dump(mode="json") for character in sim.first_characters],
             "world": sim.world.to_dict(heights=False),
             "first_world": None if sim.world is sim.first_world else sim.first_world.to_dict(heights=False),
@@ -145,6 +147,11 @@ class Recording:
             if f"footprint_{name}" in self.arrays:
                 column[...] = self.arrays[f"footprint_{name}"][mine]
         return found
+
+    def hand_keys(self, c: int) -> list[BoneKey]:
+        """The hand keys of character c: its bones are those of its poses, turned by them."""
+        every = self.meta.get("hand_keys") or []
+        return [BoneKey(**key) for key in every[c]] if every else []
 
     def cast(self, c: int) -> list[Became]:
         """Who character c was, one after the other, each with the time [s] after which it was so. Raises InputError."""

@@ -66,6 +66,13 @@ class StateMeta(_Strict):
     changes: list[_Change]
 
 
+class _Key(_Strict):
+    bone: str
+    time: Annotated[float, Field(allow_inf_nan=False)]
+    rotation: Annotated[list[Annotated[float, Field(allow_inf_nan=False)]], Field(min_length=3, max_length=3)]
+    blend: Annotated[float, Field(gt=0, allow_inf_nan=False)]
+
+
 class RunMeta(BaseModel):
     """The meta of a recording; what later versions add is theirs."""
 
@@ -75,6 +82,7 @@ class RunMeta(BaseModel):
     rate: Annotated[float, Field(ge=1, le=RATES[1], allow_inf_nan=False)]
     characters: Annotated[list[Plain], Field(min_length=1, max_length=MOST_CHARACTERS)]
     looks: list[Plain] | None = None
+    hand_keys: list[list[_Key]] | None = None
     world: Plain
     first_world: Plain | None = None
     changes: list[_Change] = []
@@ -172,6 +180,8 @@ def check_run(arrays: Arrays, meta: RunMeta) -> None:
         raise ValueError("time: must ascend")
     if meta.looks is not None and len(meta.looks) != count:
         raise ValueError(f"meta.looks: {len(meta.looks)} for {count} characters")
+    if meta.hand_keys and len(meta.hand_keys) != count:
+        raise ValueError(f"meta.hand_keys: {len(meta.hand_keys)} for {count} characters")
     for c, dimensions in enumerate(meta.characters):
         numbers = [value for name, value in dimensions.items() if name != "name"]
         if not isinstance(dimensions.get("name"), str) or not all(type(v) in (int, float) and np.isfinite(v) for v in numbers):

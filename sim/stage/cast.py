@@ -14,6 +14,7 @@ from motion.pose.posing import pose_one
 from motion.pose.skeleton import Skeleton, skeleton_of
 from motion.track.curve import Curve
 from motion.track.footprints import Footprints
+from planner.script.turned import BoneKey
 from sim.rows import crowd as crowds
 from sim.rows import posing
 from sim.rows.footprint_log import FootprintLog, Walked
@@ -152,6 +153,10 @@ class Cast:
     def shaped(self, bones: Bones, rows: np.ndarray, time: float) -> Bones:
         """The bones of characters `rows` (C,), all of one kind, at `time` [s], with what is turned by hand."""
         return bones
+
+    def hand_keys(self, character: int) -> Sequence[BoneKey]:
+        """The keys by which bones of a character are turned by hand."""
+        return ()
 
     def _shown_at(self) -> int:
         """Where kernels find what is seen."""

@@ -15,7 +15,7 @@ from planner.script.scene import Scene
 from planner.script.shaping import styled
 from planner.script.track import Track as Script
 from planner.script.track import completed, footprints_of
-from planner.script.turned import turned
+from planner.script.turned import BoneKey, turned
 from sim.rows.footprint_log import Walked, as_arrays
 from sim.stage.cast import TICK_RATE, Cast
 from worlds.compiled.tables import picked
@@ -68,6 +68,10 @@ class Performance(Cast):
             kept.append(as_arrays(Walked(np.full(n - 2, c), np.zeros(n - 2, np.int64), picked(footprints, slice(0, n - 2)))))
         joined = {key: np.concatenate([each[key] for each in kept]) for key in kept[0]}
         self.footprints.take(steps, [0] * len(acts), joined)
+
+    def hand_keys(self, character: int) -> tuple[BoneKey, ...]:
+        """The hand keys of a track."""
+        return self.acts[character].keys
 
     def shaped(self, bones: Bones, rows: np.ndarray, time: float) -> Bones:
         """The bones with the hand keys of their tracks."""

@@ -14,6 +14,7 @@ from motion.pose.bones import Bones, Placed
 from motion.pose.pose import Pose
 from motion.pose.skeleton import Skeleton, skeleton_of
 from motion.track.footprints import Footprints
+from planner.script.turned import BoneKey, turned
 from worlds.world import World
 
 
@@ -26,6 +27,8 @@ class Actor:
     pose: Pose  # (F,)
     footprints: Footprints  # (K,) in the order of their contacts, those of before and after the clip too
     colours: dict[str, np.ndarray]  # of its body, each (1, 3) red, green, blue in 0..1
+    time: np.ndarray  # (F,) [s] of the run
+    hand_keys: tuple[BoneKey, ...] = ()
 
     @property
     def name(self) -> str:
@@ -39,8 +42,11 @@ class Actor:
 
     @cached_property
     def bones(self) -> Bones:
-        """(F,) its bones: they follow from the pose alone, so a recording's are the run's own."""
-        return bones_of(self.character, self.pose, self.skeleton)
+        """(F,) its bones: they follow from the pose and the hand keys, so a recording's are the run's own."""
+        bones = bones_of(self.character, self.pose, self.skeleton)
+        for k, t in enumerate(self.time if self.hand_keys else ()):
+            turned(bones, k, self.skeleton.names, self.hand_keys, self.footprints, float(t))
+        return bones
 
     @cached_property
     def placed(self) -> Placed:

@@ -74,4 +74,5 @@ def _actor(recording: Recording, c: int, frames: np.ndarray, time: np.ndarray, c
         )
     recasts = sum(one.time < time[-1] for one in became) - 1
     pose = Pose(*(np.ascontiguousarray(recording.arrays[name][frames, c]) for name in Pose._fields))
-    return Actor(c, became[recasts].character, pose, recording.footprints(c, recasts), colours)
+    footprints, keys = recording.footprints(c, recasts), tuple(recording.hand_keys(c))
+    return Actor(c, became[recasts].character, pose, footprints, colours, time, keys)

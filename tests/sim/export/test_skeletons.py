@@ -5,10 +5,12 @@ import pytest
 
 from motion.characters.character import character_names
 from planner.script.scene import load_scene, scene_names
+from planner.script.shaping import Key
 from sim.export.clip.asked import Asked
 from sim.export.skeletons.axes import y_up
 from sim.export.skeletons.bvh import SCALE, bvh_of, euler_zyx, export_bvh
 from sim.export.skeletons.glb import export_glb
+from sim.files.recording import Recorder, load_recording
 from sim.stage.performance import Performance
 from tests.sim.export.readers import clip, moments, node, recording
 
@@ -112,3 +114,18 @@ def test_a_scene_at_its_own_times_is_the_recording_of_it():
         bones = show.bones(0, float(run.time[frame]))
         np.testing.assert_allclose(run.actors[0].bones.rotation_wxyz[frame], bones.rotation_wxyz[0], atol=1e-12)
         np.testing.assert_allclose(run.actors[0].bones.root[frame], bones.root[0], atol=1e-12)
+
+
+def test_hand_keys_go_out_with_a_recording(tmp_path):
+    scene = load_scene("fig17_small_leap")
+    show = Performance(scene.changed(key=[Key(bone="head", footprint=4, rotation_deg=(0.0, 0.0, 40.0))]))
+    recorder = Recorder(show)
+    while not show.over:
+        show.tick()
+        recorder.capture()
+    recorder.save(tmp_path / "run.npz")
+    actor = (run := clip(load_recording(tmp_path / "run.npz"))).actors[0]
+    assert len(actor.hand_keys) == 1
+    for frame in moments(run):
+        expected = show.bones(0, float(run.time[frame])).rotation_wxyz[0]
+        np.testing.assert_allclose(actor.bones.rotation_wxyz[frame], expected, atol=1e-9)
