@@ -63,8 +63,8 @@ class Scratch(NamedTuple):
 
 @jit_borrowing
 def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> bool:
-    """Whether a step keeps off trees and off all that the others hold; where bodies are too close already, it may part them."""
-    held, world, length = round.reservations, round.world, hypot(step.x - walker.x, step.y - walker.y)
+    """Whether a step keeps off trees and off all that the others hold."""
+    world, length = round.world, hypot(step.x - walker.x, step.y - walker.y)
     biped = round.bipeds[round.kind[walker.c]]
     if length > 0:
         course = atan2(step.y - walker.y, step.x - walker.x)
@@ -76,6 +76,13 @@ def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> 
         foot = Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
         if why_not_step(biped, world, foot, step.foot_x, step.foot_y, step.heading) != FINE:
             return False
+    return keeps_off(round, walker, near, step)
+
+
+@jit_borrowing
+def keeps_off(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> bool:
+    """Whether a step keeps off all that the others hold; where bodies are too close already, it may part them."""
+    held = round.reservations
     rest_x, rest_y = 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y)
     begin, end, radius = walker.there, walker.there + step.time, held.foot_radius[walker.c] + FOOT_MARGIN
     for j in near:
