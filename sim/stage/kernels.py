@@ -37,6 +37,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
     return {
         "window solve": [(rounds.optimise_step, ())],
         "placing footprints": [(rounds.plan_step, ())],
+        "going around others": [(rounds.go_around, ())],
         "wandering": [(Wander.planning.part, ())],
         "crossing": [(RockHop.planning.part, ())],
         "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), 0, 0.0, one))],
