@@ -10,6 +10,4 @@ from tests import worlds_by_chance
 @pytest.mark.parametrize("first", range(0, 48, 16))
 def test_nobody_stands_where_no_foot_may(first):
     found = sum((worlds_by_chance.faults(k, 15.0) for k in range(first, first + 16)), Counter())
-    jumps = sum(found.pop(said) for said in [said for said in found if "knee" in said])
     assert found.pop("none", 0) < 10 and found == {}
-    assert jumps <= 2, "a bird's leg still turns over now and then where it comes down from a height"

@@ -30,6 +30,9 @@ CARRIED_FROM, CARRIED = 4.0, 5.5
 CARRIED_ENDS, HANGS = 0.35, (0.3, 0.72)
 """Share of the swing, at either end, over which that sets in; where the ankle hangs, back and down from the hip, in legs."""
 
+UNDER_HIP = 1.2
+"""Distance aside of its hip, in shortest legs, from which on a swinging ankle may be as high as the hip."""
+
 
 class Hips(NamedTuple):
     """How the body above the legs is turned [rad]."""
@@ -152,6 +155,21 @@ def _keep_in_reach(biped: Dimensions, hip: Triple, s: float, flies: tuple[float,
 
 
 @jit_inline
+def _keep_below(biped: Dimensions, hip: Triple, s: float, pose: Pose, c: int, leg: int) -> None:
+    """Lowers a foot that swings past its hip, so that the leg hangs: by l (1 - (h / UNDER_HIP l)^2) at a distance h aside.
+
+    Who steps down from a height sinks to the foot that it left there: drawn along the leg alone, that foot would go over the
+    hip, and the knee turn over within a frame. It brushes the edge instead.
+    """
+    shortest, ankle = biped.leg.min_length, pose.ankle[c, leg]
+    x, y = ankle[0] - hip[0], ankle[1] - hip[1]
+    lack = shortest * (1 - (x * x + y * y) / (UNDER_HIP * shortest) ** 2) - (hip[2] - ankle[2])
+    if lack > 0:
+        calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
+        _move(pose, c, leg, calm * lack, (0.0, 0.0, -1.0))
+
+
+@jit_inline
 def _swing(biped: Dimensions, footprints: Footprints, leg: int, yaw: float, t: float, pose: Pose, c: int) -> float:
     """A foot in the air; returns its heading."""
     last, following = footprints_at(footprints, leg, t)
@@ -162,6 +180,7 @@ def _swing(biped: Dimensions, footprints: Footprints, leg: int, yaw: float, t: f
     s, toes = _fly(biped, footprints, last, following, t, pose, c, leg)
     hip = (pose.hip[c, leg, 0], pose.hip[c, leg, 1], pose.hip[c, leg, 2])
     _carry(biped, hip, yaw, swing.swing_time(footprints, last, following), s, pose, c, leg)
+    _keep_below(biped, hip, s, pose, c, leg)
     _keep_in_reach(biped, hip, s, _flights(biped, footprints, last, following), pose, c, leg)
     return toes
 

@@ -192,15 +192,22 @@ def _hindered_after(walker: Walker, taken: Candidate) -> int:
     return walker.hindered + 1
 
 
+@jit_borrowing
+def intend(round: Round, me: Me, wish: Wish) -> None:
+    """Sets my intents as if nobody were near: the wish's course is my aim."""
+    intents, c = round.intents, me.c
+    moves = 0.0 if wish.step.stands > 0 else 1.0
+    intents.aim[c, 0], intents.aim[c, 1] = moves * cos(wish.course), moves * sin(wish.course)
+    intents.hindered[c], intents.rank[c] = 0, 0.0
+    intents.claim[c, 0] = 0.5 * (me.feet.older.x + me.feet.newer.x)
+    intents.claim[c, 1] = 0.5 * (me.feet.older.y + me.feet.newer.y)
+
+
 @jit
 def give_way(round: Round, me: Me, wish: Wish) -> Wish:
     """The wish, or what is free of others instead of it. Sets my intents: aim, and how many steps others hindered."""
-    intents, c, step = round.intents, me.c, wish.step
-    moves = 0.0 if step.stands > 0 else 1.0
-    intents.aim[c, 0], intents.aim[c, 1] = moves * cos(wish.course), moves * sin(wish.course)
-    hindered, intents.hindered[c], intents.rank[c] = me.hindered, 0, 0.0
-    intents.claim[c, 0] = 0.5 * (me.feet.older.x + me.feet.newer.x)
-    intents.claim[c, 1] = 0.5 * (me.feet.older.y + me.feet.newer.y)
+    intents, c, step, hindered = round.intents, me.c, wish.step, me.hindered
+    intend(round, me, wish)
     if step.stands > 0:
         return wish
     near = np.empty(CROWDED, np.int64)

@@ -13,7 +13,7 @@ import numpy as np
 from motion.arithmetic.smooth import smoothstep
 from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
-from planner.planner import Situation
+from planner.planner import Situation, fault_of_place
 from planner.round.kernel import Compiled
 from planner.round.round import Me, Round, Wish, biped_of
 from planner.stepping import random
@@ -146,6 +146,7 @@ class _Room:
 
     def __init__(self, world: World, largest: float) -> None:
         self.world, self.cell = world, 2 * APART * largest
+        self.even = world.terrain == "flat" and len(world.rocks) == 0
         self.taken: dict[tuple[int, int], list[tuple[float, float, float]]] = {}
 
     def take(self, x: float, y: float, radius: float) -> None:
@@ -157,7 +158,9 @@ class _Room:
         for k in range(TRIES):
             x, y = (size[i] * random.uniform(seed, c, 3 * k + i, random.PLACE) for i in (0, 1))
             if clearance(self.world.arrays, x, y) > radius + MARGIN and self._is_free(x, y, radius):
-                return x, y, 2 * np.pi * random.uniform(seed, c, 3 * k + 2, random.PLACE)
+                place = (x, y, 2 * np.pi * random.uniform(seed, c, 3 * k + 2, random.PLACE))
+                if self.even or fault_of_place(self.world, character, place) is None:
+                    return place
         raise InputError(
             f"{self.world.name}: no room for {character.name} number {c + 1} to start apart from the others; "
             "use fewer --characters or a level with more room"

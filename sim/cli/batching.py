@@ -36,7 +36,7 @@ def batch(options: Any) -> int:
         if len(undone) < len(jobs):
             tell(f"{len(jobs) - len(undone)} of {len(jobs)} runs are there; going on")
         if undone:
-            warm_up(options.task, tell)
+            warm_up(options.task, tell, options.characters)
             with stopping.between_ticks():
                 _run(options, undone, shards, folder, _Progress(len(jobs), len(undone)))
         path = write_table([row for job in jobs for row in shards.rows(job) or []], folder)

@@ -40,7 +40,7 @@ def show(
     if windowed and wanted.video is not None:
         raise InputError(f"--video {wanted.video}: films are made without a window: add --headless")
     begin = time.perf_counter()
-    warm_up(options.command, tell)
+    warm_up(options.command, tell, options.characters)
     sim = _restored(options, saved) if saved else make()
     if saved and options.seconds and options.seconds <= sim.time:
         raise InputError(f"--seconds {options.seconds:g}: {saved} is at {sim.time:g} s already; give a later time")

@@ -13,10 +13,10 @@ from motion.com.newton import Effort
 from motion.com.window import optimise_window
 from motion.track.curve import up_to
 from motion.track.footprints import feet_before
-from planner.crowd.avoiding import YIELD_TIME, give_way
+from planner.crowd.avoiding import YIELD_TIME, give_way, intend
 from planner.crowd.candidates import QUICK
 from planner.round import reservations
-from planner.round.kernel import A_ROUND, lend_me, lend_wish, open_wish
+from planner.round.kernel import A_ROUND, lend_me, lend_wish, open_me, open_round, open_wish, put_wish
 from planner.round.refusals import NO_ANSWER, can_be, nothing_refused, refuse
 from planner.round.reservations import Reservations
 from planner.round.round import Me, Round, Wish, standing
@@ -41,6 +41,7 @@ class Work(NamedTuple):
     round: Round  # its plans an address, which the planner alone opens
     round_at: int  # where it lies
     planner: int  # where its next_step lies
+    others: int  # where going around others lies; 0 for one who is alone, who needs none of that
     refused: Any  # (C,) records of STEP: what it wished that no body can do (planner.round.refusals)
     effort: Effort = newton.LIVE
 
@@ -52,7 +53,7 @@ class Parts(NamedTuple):
     optimise: int
 
 
-_, open_work, _, WORK = handle(Work(empty_crowd(np.zeros(1)), A_ROUND, 0, 0, nothing_refused(1)))
+_, open_work, _, WORK = handle(Work(empty_crowd(np.zeros(1)), A_ROUND, 0, 0, 0, nothing_refused(1)))
 
 
 @jit_borrowing
@@ -69,6 +70,14 @@ def _wish(work: Work, me: Me) -> Wish:
     return standing(me, YIELD_TIME)
 
 
+def _go_around(round_at: int, me_at: int, wish_at: int) -> None:
+    """Puts what is free of others instead of a lent wish there."""
+    put_wish(wish_at, give_way(open_round(round_at), open_me(me_at), open_wish(wish_at)))
+
+
+go_around = Part(_go_around, 3)
+
+
 @jit_borrowing
 def _wish_among_others(work: Work, me: Me) -> tuple[Wish, bool]:
     """A real step: the wish, or what is free of others instead of it; and whether it is another one than was wished."""
@@ -77,7 +86,12 @@ def _wish_among_others(work: Work, me: Me) -> tuple[Wish, bool]:
     wish = _wish(work, me)
     if not wish.avoids:
         return wish, False
-    free = give_way(work.round, me, wish)
+    if work.others == 0:
+        intend(work.round, me, wish)
+        return wish, False
+    answer = lend_wish(wish)
+    call_three(work.others, work.round_at, lend_me(me), answer)
+    free = open_wish(answer)
     step, taken = wish.step, free.step
     other = taken.x != step.x or taken.y != step.y or taken.heading != step.heading
     return free, other or (taken.stands > 0 and not step.stands > 0)

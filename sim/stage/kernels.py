@@ -38,6 +38,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
     return {
         "window solve": [(rounds.optimise_step, ())],
         "placing footprints": [(rounds.plan_step, ())],
+        "going around others": [(rounds.go_around, ())],
         "wandering": [(Wander.planning.part, ())],
         "steering": [(Steered.planning.part, ())],
         "crossing": [(RockHop.planning.part, ())],

@@ -130,7 +130,8 @@ class Simulation(Cast):
         """From now on, rounds are like this one, with the plans that are in use: `work` is what they work on."""
         planner = self.planner.planning.address(round._replace(plans=self.plans))
         self._round = Held(round._replace(plans=self._plans.address if self._plans else 0), ROUND)
-        work = rounds.Work(self.crowd, self._round.value, self._round.address, planner, self._refused)
+        others = rounds.go_around.address if len(self.characters) > 1 else 0
+        work = rounds.Work(self.crowd, self._round.value, self._round.address, planner, others, self._refused)
         self.work = Held(work, rounds.WORK)
 
     def _publish_anew(self) -> None:

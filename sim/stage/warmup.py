@@ -2,7 +2,7 @@
 
 Compiled kernels are kept (worlds.compiled.cache), so this happens once for these sources, this numba and this processor. They
 are compiled for the types of their arguments, which a small cast provides; nothing is run. Half of them are compiled by a
-second process meanwhile: by the time that the tick needs `placing footprints`, it lies in the cache.
+second process meanwhile. The solver takes as long as all the others together; one who walks alone needs no way around others.
 """
 
 import os
@@ -19,11 +19,15 @@ from worlds.compiled.jit import start_threads
 from worlds.compiled.telling import be_quiet, compiling, tell
 
 ROOT = Path(__file__).resolve().parents[2]
-LIVE, SHOWN = ("window solve", "tick of the crowd"), ("poses", "bones", "standing", "ground")
+SOLVE, OTHERS = "window solve", "going around others"
+WALK, SHOWN = ("placing footprints", "tick of the crowd"), ("poses", "bones", "standing", "ground")
 NEEDED = {
-    "wander": (LIVE, ("placing footprints", "wandering", *SHOWN)),
-    "steer": (LIVE, ("placing footprints", "steering", *SHOWN)),
-    "river": ((*LIVE, "route search"), ("placing footprints", "crossing", *SHOWN)),
+    "wander": ((SOLVE,), (*WALK, "wandering", *SHOWN)),
+    "wander of many": ((SOLVE,), (*WALK, "wandering", *SHOWN, OTHERS)),
+    "steer": ((SOLVE,), (*WALK, "steering", *SHOWN)),
+    "steer of many": ((SOLVE,), (*WALK, "steering", *SHOWN, OTHERS)),
+    "river": ((SOLVE, "route search"), (*WALK, "crossing", *SHOWN)),
+    "river of many": ((SOLVE, "route search"), (*WALK, "crossing", *SHOWN, OTHERS)),
     "import-trajectories": (("whole curves", "stride law"), ("laying footprints", *SHOWN)),
     "play": (("whole curves",), ("laying footprints", *SHOWN)),
     "edit": (("whole curves", "edited curves"), ("laying footprints", *SHOWN)),
@@ -31,8 +35,10 @@ NEEDED = {
 """What a command needs: (compiled here, by the second process)."""
 
 
-def warm_up(command: str, tell: Callable[[str], None]) -> None:
+def warm_up(command: str, tell: Callable[[str], None], characters: int = 1) -> None:
     """Compiles what the command needs, where it has not been yet; tell is called with a line for each kernel."""
+    if characters > 1 and f"{command} of many" in NEEDED:
+        command = f"{command} of many"
     ours, theirs = NEEDED[command]
     stamp = _stamp(command)
     if stamp is None or stamp.exists():
@@ -62,7 +68,7 @@ def _stamp(command: str) -> Path | None:
     if "NUMBA_CACHE_DIR" not in os.environ:
         return None
     made_for = f"{numba.__version__}-{llvmlite.binding.get_host_cpu_name()}-{sys.version_info.major}{sys.version_info.minor}"
-    return Path(os.environ["NUMBA_CACHE_DIR"]) / f"warm-{command}-{made_for}"
+    return Path(os.environ["NUMBA_CACHE_DIR"]) / f"warm-{command.replace(' ', '-')}-{made_for}"
 
 
 def _compile(names: tuple[str, ...], mine: tuple[str, ...], tell: Callable[[str], None]) -> None:

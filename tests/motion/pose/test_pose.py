@@ -99,3 +99,23 @@ def test_knees_do_not_turn_over_where_a_foot_is_kicked_up_behind(character):
         ankle = (-d * np.sin(angle), 0.05 * d, 1.0 - d * np.cos(angle))
         knees.append(legs.joints(b, hip, ankle, (1.0, 0.0, 0.0))[0])
     assert np.linalg.norm(np.diff(knees, axis=0), axis=1).max() < 0.02 * b.leg.nominal_length
+
+
+@pytest.mark.parametrize("name", character_names())
+def test_a_foot_left_on_a_height_is_swung_under_the_hip(name):
+    b = load_character(name).biped
+    footprints = straight_walk(b)
+    footprints.position[:7, 2] = 0.6 * b.leg.nominal_length  # and none lower than footprint 7
+    footprints.lift[8], footprints.hold[8] = 0.65 * b.leg.nominal_length, swing.EDGE_HOLD
+    track = Track(footprints, solved(b, footprints))
+    begin, end, side = footprints.contact_time[6] + footprints.stance_time[6], footprints.contact_time[8], footprints.side[8]
+    pose, before = empty_pose(1), None
+    for t in np.arange(begin, end, 1 / 60):
+        pose_into(b, track, t, pose)
+        knee = (pose.knee[0] - pose.com[0])[side]
+        if before is not None:
+            assert np.linalg.norm(knee - before) < 0.25 * b.leg.nominal_length
+        before = knee
+        s, aside = (t - begin) / (end - begin), np.hypot(*(pose.ankle - pose.hip)[0, side, :2])
+        if 0.3 < s < 0.7 and aside < 0.5 * b.leg.min_length:
+            assert pose.ankle[0, side, 2] < pose.hip[0, side, 2] - 0.7 * b.leg.min_length

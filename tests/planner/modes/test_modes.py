@@ -9,7 +9,7 @@ from planner.modes.custom import Custom
 from planner.modes.external import External
 from planner.modes.walk_to import WalkTo
 from planner.modes.wander import Wander
-from planner.planner import NoWay
+from planner.planner import NoWay, checked_starts
 from planner.planners import PLANNERS
 from planner.river.rock_hop import RockHop
 from planner.round.round import Wish, standing
@@ -185,6 +185,14 @@ def test_starts_must_be_as_many_as_characters(planner):
     made = planner([(2, 5, 0.0)], [[(8, 5)]]) if planner is WalkTo else planner([(2, 5, 0.0)])
     with pytest.raises(ValueError, match="one for each"):
         Simulation(YARD, [BIRD] * 2, made)
+
+
+@pytest.mark.parametrize("world", [load_level("stairs"), World("spiral", (14.0, 14.0), "spiral_stairs",
+    (7.0, 7.0, 0.6, 5.5, 0.16, 24), start=(12.0, 7.5))], ids=lambda world: world.name)  # fmt: skip
+@pytest.mark.parametrize("name", ["human", "bird"])
+def test_wanderers_start_where_their_feet_may_stand(world, name):
+    crowd = [load_character(name)] * 12
+    checked_starts(Wander().starts(world, crowd, 0), world, crowd)  # raises for a foot in a riser
 
 
 def test_bad_starts_are_refused():

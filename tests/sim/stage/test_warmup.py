@@ -83,6 +83,25 @@ def test_progress_names_what_is_compiled(command, tmp_path, monkeypatch):
     assert len(told) == len(ours)
 
 
+def test_one_who_is_alone_needs_no_way_around_others():
+    world, bird = load_level("forest"), load_character("bird")
+    alone, several = (Simulation(world, [bird] * count, Wander(), 1) for count in (1, 3))
+    assert alone.work.value.others == 0 and several.work.value.others == rounds.go_around.address
+    needed = [warmup.NEEDED[name] for name in ("wander", "wander of many", "river", "river of many")]
+    assert [warmup.OTHERS in (*ours, *theirs) for ours, theirs in needed] == [False, True, False, True]
+
+
+def test_many_are_told_what_they_need(tmp_path, monkeypatch):
+    names: list[str] = []
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(kernels, "steps", lambda: {name: [] for name in (*kernel_names,)})
+    monkeypatch.setattr(warmup.subprocess, "Popen", lambda asked, **_: names.append(asked[-1]) or Mock(poll=lambda: 0))
+    kernel_names = [name for pair in warmup.NEEDED.values() for part in pair for name in part]
+    for characters in (1, 2, 1, 2):
+        warmup.warm_up("wander", lambda _: None, characters)
+    assert [warmup.OTHERS in asked for asked in names] == [False, True]
+
+
 @pytest.mark.parametrize("some", [[2, 0], [1]])
 def test_posing_some_is_posing_all(some):
     sim = Simulation(load_level("forest"), [load_character("bird")] * 3, Wander(), 2)
