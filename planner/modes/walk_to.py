@@ -44,6 +44,11 @@ class Stops(NamedTuple):
     cell: np.ndarray  # (1,) edge of their cells [m]
     field: np.ndarray  # (C, P) which of them leads to a stop; -1: the way is straight
 
+    @staticmethod
+    def shared() -> tuple[str, ...]:
+        """Columns of all characters together."""
+        return "fields", "cell"
+
 
 @jit_borrowing
 def stop_of(plans: Stops, c: int, reached: int) -> int:

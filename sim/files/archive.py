@@ -129,7 +129,7 @@ def flat(prefix: str, table: tuple) -> Arrays:
 def unflat(prefix: str, model: Any, arrays: Arrays, rows: int | None = None) -> Any:
     """What `flat` made arrays of, of the model's types and shapes; where `rows` are given, of its dimensions, and so many rows.
 
-    Floats must be finite. Raises KeyError, ValueError.
+    Columns that the model's `shared()` names are of all together, and may have any number of rows. Floats must be finite. Raises KeyError, ValueError.
     """
     found = {}
     for name, expected in model._asdict().items():
@@ -137,8 +137,8 @@ def unflat(prefix: str, model: Any, arrays: Arrays, rows: int | None = None) -> 
         if isinstance(expected, tuple):
             found[name] = unflat(key, expected, arrays, rows)
             continue
-        array = arrays[key]
-        fits = array.shape == expected.shape if rows is None else array.ndim == expected.ndim and len(array) == rows
+        array, free = arrays[key], name in getattr(type(model), "shared", tuple)()
+        fits = array.shape == expected.shape if rows is None else array.ndim == expected.ndim and (free or len(array) == rows)
         if array.dtype != expected.dtype or not fits:
             raise ValueError(f"{key} is {array.dtype} {array.shape}")
         if array.dtype.kind == "f" and not np.isfinite(array).all():

@@ -32,6 +32,7 @@ def test_every_level_and_scene_is_drawn(name):
     assert tuple(pixels[90, 160]) == plan_view.BODY  # the first character, in the middle
     seen = {tuple(colour) for colour in np.unique(pixels.reshape(-1, 3), axis=0).tolist()}
     allowed = {plan_view.GRASS, plan_view.WATER, plan_view.TREE, plan_view.STONE, plan_view.SOLE, plan_view.BODY}
+    allowed |= {plan_view.PLASTER}
     assert plan_view.BODY in seen <= allowed
 
 

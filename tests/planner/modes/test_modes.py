@@ -7,6 +7,7 @@ from motion.characters.character import load_character
 from motion.track.footprints import LEFT, RIGHT, Step
 from planner.modes.custom import Custom
 from planner.modes.external import External
+from planner.modes.steer import Steered
 from planner.modes.walk_to import WalkTo
 from planner.modes.wander import Wander
 from planner.planner import NoWay, checked_starts
@@ -214,7 +215,7 @@ def test_an_impossible_task_says_so_before_anything_begins():
 
 
 def test_every_planner_that_ships_is_made_again_from_its_values():
-    made = (Wander(), RockHop(), WalkTo([(2, 5, 0.0)], [[(8, 5)]]), External([(2.0, 5.0, 0.0)]))
+    made = (Wander(), RockHop(), WalkTo([(2, 5, 0.0)], [[(8, 5)]]), External([(2.0, 5.0, 0.0)]), Steered())
     assert {planner.name for planner in made} == set(PLANNERS)
     for planner in made:
         assert PLANNERS[planner.name](**planner.values()).values() == planner.values()
