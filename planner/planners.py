@@ -3,9 +3,10 @@
 from collections.abc import Callable
 
 from planner.modes.external import External
+from planner.modes.steer import Steered
 from planner.modes.walk_to import WalkTo
 from planner.modes.wander import Wander
 from planner.planner import Planner
 from planner.river.rock_hop import RockHop
 
-PLANNERS: dict[str, Callable[..., Planner]] = {kind.name: kind for kind in (Wander, RockHop, WalkTo, External)}
+PLANNERS: dict[str, Callable[..., Planner]] = {kind.name: kind for kind in (Wander, RockHop, WalkTo, External, Steered)}

@@ -1,8 +1,12 @@
 """Wandering (paper, section 4): keep a heading; when the way ahead comes too close to something, change it by chance.
 
 The heading drifts slowly. Where the way ahead is not clear for the distance that the walker looks ahead, the nearest clear
-heading is taken, right or left first by chance. No two steps are quite as long (`variation`).
+heading is taken, right or left first by chance. No two steps are quite as long (`variation`). A goal that is set while they
+wander is walked to by everyone, as near as ways that are straight but for what lies near lead; then they wander on.
 """
+
+from math import hypot
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,7 +17,8 @@ from planner.planner import Situation
 from planner.round.kernel import Compiled
 from planner.round.round import Me, Round, Wish, biped_of
 from planner.stepping import random
-from planner.stepping.beside import middle_beside
+from planner.stepping.arriving import walk_on
+from planner.stepping.beside import Place, middle_beside
 from planner.stepping.footing import surely
 from planner.stepping.steering import LOOK_STEPS, MARGIN, Onward, lengthened, step_toward
 from worlds.arrays import WorldArrays
@@ -30,6 +35,17 @@ TRIES = 400
 """Places tried for each start."""
 APART = 1.4
 """Distance between bodies at the start, in the sum of their radii."""
+THERE = 1.0
+"""Who walks to a goal is there within so many preferred steps."""
+DETOURS, SPARE = 3.0, 20
+"""Who walks to a goal gives up after so many times the straight way, and so many steps."""
+
+
+class Errands(NamedTuple):
+    """Where C wanderers walk before they wander on."""
+
+    goal: np.ndarray  # (C, 2) [m]
+    steps: np.ndarray  # (C,) they give up after so many more; 0: they wander
 
 
 @jit_borrowing
@@ -54,13 +70,35 @@ def wander_on(
     return lengthened(on, middle, random.near_one(seed, character, step, biped.gait.variation))
 
 
+@jit_borrowing
+def _has_errand(round: Round, me: Me, middle: Place) -> bool:
+    """Whether the walker is on its way to a goal; one that is there, or gives up, forgets it once a real step is planned."""
+    errands, c = round.plans, me.c
+    if errands.steps[c] <= 0:
+        return False
+    far = hypot(errands.goal[c, 0] - middle[0], errands.goal[c, 1] - middle[1])
+    there = far < THERE * biped_of(round, me).gait.preferred_step
+    if me.real:
+        errands.steps[c] = 0 if there else errands.steps[c] - 1
+    return not there
+
+
 def _next_step(round: Round, me: Me) -> Wish:
-    biped, foot = biped_of(round, me), me.feet.newer
-    on = wander_on(biped, round.world, middle_beside(biped, foot), foot.heading, round.seed, me.c, me.number)
+    biped, foot, goal = biped_of(round, me), me.feet.newer, round.plans.goal
+    middle = middle_beside(biped, foot)
+    if _has_errand(round, me, middle):
+        to = (goal[me.c, 0], goal[me.c, 1])
+        on = walk_on(biped, round.world, middle, foot.heading, to, round.seed, (me.c, me.number))
+        return surely(round, me, (on.x, on.y), on.heading, on.course, True)
+    on = wander_on(biped, round.world, middle, foot.heading, round.seed, me.c, me.number)
     return surely(round, me, (on.x, on.y), on.heading, on.course, False)
 
 
-_PLANNING = Compiled(_next_step)
+def _no_errands(characters: int) -> Errands:
+    return Errands(np.zeros((characters, 2)), np.zeros(characters, np.int64))
+
+
+_PLANNING = Compiled(_next_step, _no_errands(1))
 
 
 class Wander:
@@ -79,8 +117,24 @@ class Wander:
             room.take(*places[c][:2], float(character.biped.body.radius))
         return np.array(places, np.float64)
 
-    def prepare(self, situation: Situation) -> None:
-        """Nothing to look up beforehand."""
+    def prepare(self, situation: Situation) -> Errands:
+        """Nowhere to go at first, whatever goal the level has; to another goal, once that is set."""
+        world, errands, before = situation.world, _no_errands(len(situation.characters)), situation.before
+        errands.goal[:] = world.goal or world.start
+        if before is None:
+            return errands
+        if (errands.goal == before.goal).all():
+            return errands._replace(steps=before.steps.copy())
+        far = np.hypot(*(errands.goal - situation.feet.position[:, :, :2].mean(axis=1)).T)
+        strides = np.array([float(one.biped.gait.preferred_step) for one in situation.characters])
+        return errands._replace(steps=(DETOURS * far / strides).astype(np.int64) + SPARE)
+
+    def check_plans(self, plans: Errands, characters: int) -> None:
+        """Whether plans from a file are errands. Raises ValueError."""
+        if plans.steps.shape != (characters,) or not 0 <= plans.steps.min() <= plans.steps.max() < 2**53:
+            raise ValueError("plans: errands that never end")
+        if not (np.abs(plans.goal) < 1e9).all():
+            raise ValueError("plans: a goal that cannot be")
 
     def values(self) -> dict:
         """It is made of nothing."""

@@ -9,8 +9,8 @@ from worlds.compiled.telling import tell
 from worlds.errors import InputError
 from worlds.level import load_level
 
-CROSSING = "RockHop"
-"""The planner of `river`, as saved states name it."""
+COMMANDS = {"RockHop": "river", "Steered": "steer"}
+"""Which command a saved state belongs to, by its planner; all others: `wander`."""
 
 
 def scene(options: Any) -> None:
@@ -47,9 +47,8 @@ def restored(options: Any, sim: Simulation) -> None:
         for name, value in sorted(asked.items())
         if value != saved[name]
     ]
-    crossing = sim.planner.name == CROSSING
-    if (options.command == "river") != crossing:
-        other = "river" if crossing else "wander"
+    other = COMMANDS.get(sim.planner.name, "wander")
+    if options.command != other:
         faults.append(f"{options.restore} is a state of `{other}`: footfall {other} --restore {Path(options.restore).name}")
     if faults:
         raise InputError("\n".join(faults))

@@ -10,6 +10,7 @@ from worlds.errors import InputError
 
 COMMANDS = {
     "wander": "walks.walk",
+    "steer": "walks.walk",
     "river": "walks.walk",
     "play": "scenes.play",
     "edit": "show.edit",

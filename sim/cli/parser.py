@@ -14,12 +14,11 @@ TRAJECTORIES = ("jupedsim", "pedpy", "vadere", "obsmat", "plain")
 """Files of trajectories, as sim.files.imports.trajectories.formats has them."""
 DEFAULTS: dict[str, dict[str, Any]] = {
     "wander": {"level": "forest", "character": "bird", "characters": 1, "seed": 0},
+    "steer": {"level": "forest", "character": "human", "characters": 1, "seed": 0},
     "river": {"level": "river_easy", "character": "bird", "characters": 1, "seed": 0},
     "play": {"level": "fig01_steps_and_a_hop", "character": None, "characters": 1, "seed": 0},
 }
 """What is meant where nothing is typed; `given` keeps what was."""
-
-
 SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 3.0)
 
 
@@ -90,9 +89,8 @@ def parser() -> argparse.ArgumentParser:
 def _add_runs(commands: argparse._SubParsersAction) -> None:
     """Commands that let characters walk."""
     wander = commands.add_parser("wander", help="wander through a forest (the default)")
-    wander.add_argument("level", nargs="?", help="a level that ships, or a .toml file")
     river = commands.add_parser("river", help="cross a river on its rocks")
-    river.add_argument("level", nargs="?", help="a level that ships, or a .toml file")
+    steer = commands.add_parser("steer", help="drive a character by keys or gamepad; headless, by keys of chance")
     play = commands.add_parser("play", help="play a scripted scene: footprints from a file")
     play.add_argument("level", nargs="?", metavar="SCENE", help="a scene that ships, or a .toml file")
     play.add_argument("--list", action="store_true", help="name the scenes that ship")
@@ -103,9 +101,10 @@ def _add_runs(commands: argparse._SubParsersAction) -> None:
     edit.add_argument("--screenshot", metavar="P.png", help="draw the studio once, without a window, and end")
     edit.add_argument("--pictures", metavar="FOLDER", help="draw the pictures of docs/studio.md, and end")
     edit.add_argument("--latency", action="store_true", help="measure how long a drag takes from mouse to picture, and end")
-    for job in (wander, river, play):
+    for job in (wander, steer, river, play):
         _common(job)
-    for job in (wander, river):
+    for job in (wander, steer, river):
+        job.add_argument("level", nargs="?", help="a level that ships, or a .toml file")
         job.add_argument("--save", metavar="STATE.npz", help="the state at the end, to go on from")
         job.add_argument("--restore", metavar="STATE.npz", help="go on from a saved state; --seconds counts from its beginning")
     play.set_defaults(save=None, restore=None)

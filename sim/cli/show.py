@@ -5,6 +5,7 @@ import os
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,14 +20,20 @@ from sim.view.pictures.results import Results, Wanted
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
 
+Hand = Callable[[Cast], None]
 HEADLESS_SECONDS = 20.0
 NO_DISPLAY = "There is no display: running headless."
 LEFT_BEHIND = ("footfall.png", "footfall.npz")
 """Picture and recording left where there is no display and nothing else was asked for."""
 
 
-def show(options: Any, make: Callable[..., Cast], names: list[str], saved: str | None = None) -> int:
-    """Runs what `make` makes, or what was saved, in a window where there is one; `names` are what the window can go on to."""
+def show(
+    options: Any, make: Callable[..., Cast], names: list[str], saved: str | None = None, hands: tuple[Hand, ...] = ()
+) -> int:  # fmt: skip
+    """Runs what `make` makes, or what was saved, in a window where there is one; `names` are what the window can go on to.
+
+    hands: what acts on a run without a window after each tick, as a person does in one.
+    """
     windowed = not options.headless and has_display()
     wanted = _wanted(options, windowed)
     wanted.check()
@@ -41,7 +48,7 @@ def show(options: Any, make: Callable[..., Cast], names: list[str], saved: str |
     if not options.json:
         tell(f"Ready after {time.perf_counter() - begin:.1f} s.")
     if not windowed:
-        return _headless(options, sim, wanted)
+        return _headless(options, sim, wanted, hands)
     from sim.view.window.window import run_window
 
     with stopping.between_ticks():
@@ -80,13 +87,14 @@ def has_display() -> bool:
     return opens()
 
 
-def _headless(options: Any, sim: Cast, wanted: Wanted) -> int:
+def _headless(options: Any, sim: Cast, wanted: Wanted, hands: tuple[Hand, ...]) -> int:
     """Runs without a window; leaves what was asked for, or what there is so far where it is stopped."""
     until = options.seconds or getattr(sim, "end", sim.time + HEADLESS_SECONDS)
     with stopping.between_ticks():
         results = Results(wanted, sim)
+        acting = [partial(hand, sim) for hand in hands]
         try:
-            summary = run_headless(sim, until, lambda: results.follow(sim), quiet=options.json, stop=stopping.asked)
+            summary = run_headless(sim, until, lambda: results.follow(sim), *acting, quiet=options.json, stop=stopping.asked)
             results.end(sim)
         except Exception:
             results.end(sim)

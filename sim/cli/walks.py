@@ -1,19 +1,37 @@
-"""`wander` and `river`: from the start, or from a saved state."""
+"""`wander`, `steer` and `river`: from the start, or from a saved state."""
 
+from collections.abc import Callable
 from typing import Any
 
 from sim.cli import agreeing
 from sim.cli.show import show
-from sim.stage.making import make_simulation
+from sim.stage.cast import Cast
+from sim.stage.commands import steer
+from sim.stage.making import make_simulation, make_steered
 from sim.stage.simulation import Simulation
 from worlds.level import level_names
 
 
 def walk(options: Any) -> int:
-    """Wandering, or crossing to a goal."""
+    """Wandering, going where the keys say, or crossing to a goal."""
     agreeing.run(options)
 
     def make(level: str = options.level, character: str = options.character, seed: int = options.seed) -> Simulation:
+        if options.command == "steer":
+            return make_steered(level, character, options.characters, seed)
         return make_simulation(level, character, options.characters, seed, options.command == "river")
 
-    return show(options, make, level_names(with_goal=options.command == "river"), options.restore)
+    return show(options, make, level_names(with_goal=options.command == "river"), options.restore, _hands(options))
+
+
+def _hands(options: Any) -> tuple[Callable[[Cast], None], ...]:
+    """Who presses the keys of a run that has no window: chance, by the run's seed."""
+    return (pressed_by_chance,) if options.command == "steer" else ()
+
+
+def pressed_by_chance(sim: Cast) -> None:
+    """Keys by chance, for everyone, after a tick."""
+    if isinstance(sim, Simulation) and (by_chance := getattr(sim.planner, "by_chance", None)):
+        wish = by_chance(sim.seed, sim.ticks, len(sim.characters))
+        if wish is not None:
+            steer(sim, *wish)

@@ -1,7 +1,9 @@
-"""Commands that change one character: it stands, becomes another one, or takes the steps that it is given."""
+"""Commands that change characters: they stand, become others, take the steps that they are given, or go where they are told."""
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
+
+import numpy as np
 
 from motion.characters.character import Character
 from motion.track.footprints import Step
@@ -72,3 +74,38 @@ class Give(Command):
         """The command as plain JSON values: what is automatic is left out."""
         steps = [{k: v for k, v in step._asdict().items() if v == v} for step in self.steps]
         return {"command": self.name, "character": self.character, "steps": steps}
+
+
+@dataclass(frozen=True)
+class Steer(Command):
+    """Characters of the planner that is steered (planner.modes.steer) are told where to go, and how: one wish, or one each.
+
+    direction [rad], over the ground; pace: stand, turn (on the spot, toward the direction), creep, walk, run; aside [rad]: how
+    far the direction lies to the left of where the feet are to point; leap: the next step is one.
+    """
+
+    characters: tuple[int, ...]
+    direction: tuple[float, ...] = (0.0,)
+    pace: tuple[str, ...] = ("walk",)
+    aside: tuple[float, ...] = (0.0,)
+    leap: tuple[bool, ...] = (False,)
+    name: ClassVar[str] = "steer"
+
+    @classmethod
+    def of(cls, characters: Any, direction: Any, pace: Any, aside: Any = 0.0, leap: Any = False) -> "Steer":
+        """The command for values, lists or arrays at hand."""
+        return cls(characters, direction, pace, aside, leap)
+
+    def apply(self, sim: Simulation) -> None:
+        """Tells them; each one's next footprint answers."""
+        for character in self.characters:
+            check_character(sim, character)
+        tell = getattr(sim.planner, "tell", None)
+        if tell is None:
+            raise InputError(f"steer: the planner {sim.planner.name} decides for itself; planner.modes.steer.Steered is told")
+        tell(sim.plans, np.array(self.characters, np.int64), *self.wish)
+
+    @property
+    def wish(self) -> tuple:
+        """What it tells, without whom."""
+        return self.direction, self.pace, self.aside, self.leap

@@ -4,6 +4,8 @@ from dataclasses import asdict, dataclass, fields
 from numbers import Integral, Real
 from typing import Any, ClassVar, get_type_hints
 
+import numpy as np
+
 from motion.track.footprints import Step
 from sim.stage.simulation import Simulation
 from worlds.errors import InputError
@@ -30,12 +32,14 @@ class Command:
 
     def as_plain(self) -> dict:
         """The command as plain JSON values."""
-        return {"command": self.name, **asdict(self)}
+        return {"command": self.name, **{k: list(v) if isinstance(v, tuple) else v for k, v in asdict(self).items()}}
 
 
 def plain(value: Any, kind: Any, said: str) -> Any:
     """A value as Python's own number, text or table of its kind; or raises InputError, which begins with `said`."""
     origin = getattr(kind, "__origin__", kind)
+    if origin is tuple and kind.__args__[0] is not Step:
+        return _plain_many(value, kind.__args__[0], said)
     if origin is tuple and isinstance(value, (list, tuple)):
         return tuple(_plain_step(step, f"{said}.{k}") for k, step in enumerate(value))
     whole = isinstance(value, Integral) and not isinstance(value, bool)
@@ -46,6 +50,14 @@ def plain(value: Any, kind: Any, said: str) -> Any:
     if origin in (str, dict) and isinstance(value, origin):
         return value
     raise InputError(f"{said} = {value!r}: {_WORDS[origin]} is needed")
+
+
+def _plain_many(values: Any, kind: type, said: str) -> tuple:
+    """A value, or several in a list, tuple or array, as a tuple of plain ones."""
+    if isinstance(values, np.ndarray):
+        values = values.tolist()
+    several = values if isinstance(values, (list, tuple)) else (values,)
+    return tuple(plain(value, kind, f"{said}.{k}") for k, value in enumerate(several))
 
 
 def _plain_step(step: Any, said: str) -> Step:

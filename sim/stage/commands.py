@@ -10,8 +10,10 @@ from collections.abc import Iterable
 from dataclasses import MISSING, fields
 from typing import Any
 
+import numpy as np
+
 from sim.stage.cast import Change
-from sim.stage.casting import Give, Pause, Recast
+from sim.stage.casting import Give, Pause, Recast, Steer
 from sim.stage.command import Command
 from sim.stage.edits import PlantTree, PutRock, Remove, SetGoal
 from sim.stage.simulation import Simulation
@@ -25,6 +27,7 @@ _KINDS: list[type[Command]] = [
     Pause,
     Recast,
     Give,
+    Steer,
 ]
 COMMANDS = {kind.name: kind for kind in _KINDS}
 """All of them by their names. A new one is a line above."""
@@ -34,6 +37,21 @@ def apply(sim: Simulation, command: Command) -> None:
     """Does a command now, between two ticks, and logs it. Raises InputError, NoWay; then nothing has changed."""
     command.apply(sim)
     sim.log(command.as_plain())
+
+
+def steer(
+    sim: Simulation, direction: Any, pace: Any, aside: Any = 0.0, leap: Any = False, characters: Any = None
+) -> None:  # fmt: skip
+    """Tells characters (by default all) where to go and how, as `Steer` does; made to be called at every tick.
+
+    Each wish is one for all or an array of theirs. Only those who are told something new are logged. Raises InputError.
+    """
+    who = np.arange(len(sim.characters)) if characters is None else np.atleast_1d(np.asarray(characters))
+    command, news = Steer.of(who, direction, pace, aside, leap), getattr(sim.planner, "news", None)
+    if news is None or ((who < 0) | (who >= len(sim.characters))).any():
+        apply(sim, command)  # which says why not
+    elif (new := news(sim.plans, who, *command.wish)).any():
+        apply(sim, Steer.of(who[new], *(np.broadcast_to(np.array(wish), (len(who),))[new] for wish in command.wish)))
 
 
 def from_plain(plain: dict) -> Command:

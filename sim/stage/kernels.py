@@ -13,6 +13,7 @@ from motion.pose.pose import empty_pose
 from motion.pose.posing import pose_one
 from motion.track.curve import Curve
 from motion.track.footprints import STEP, Footprints
+from planner.modes.steer import Steered
 from planner.modes.wander import Wander
 from planner.river import search
 from planner.river.rock_hop import RockHop
@@ -38,6 +39,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
         "window solve": [(rounds.optimise_step, ())],
         "placing footprints": [(rounds.plan_step, ())],
         "wandering": [(Wander.planning.part, ())],
+        "steering": [(Steered.planning.part, ())],
         "crossing": [(RockHop.planning.part, ())],
         "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), 0, 0.0, one))],
         "poses": [

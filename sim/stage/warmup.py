@@ -22,6 +22,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LIVE, SHOWN = ("window solve", "tick of the crowd"), ("poses", "bones", "standing", "ground")
 NEEDED = {
     "wander": (LIVE, ("placing footprints", "wandering", *SHOWN)),
+    "steer": (LIVE, ("placing footprints", "steering", *SHOWN)),
     "river": ((*LIVE, "route search"), ("placing footprints", "crossing", *SHOWN)),
     "import-trajectories": (("whole curves", "stride law"), ("laying footprints", *SHOWN)),
     "play": (("whole curves",), ("laying footprints", *SHOWN)),

@@ -121,7 +121,7 @@ def test_real_events_drive_a_window(monkeypatch, app):
         pygame.display.quit()
 
 
-def test_a_goal_for_a_wanderer_is_said_to_lead_nobody():
+def test_a_goal_for_a_wanderer_is_walked_to():
     from sim.view.window.app import App
 
     def make(level="forest", character="bird", seed=0):
@@ -129,7 +129,8 @@ def test_a_goal_for_a_wanderer_is_said_to_lead_nobody():
 
     app = App(make, make(), argparse.Namespace(level="forest", character="bird", seed=0), ["forest"])
     app.edit("g", 20.0, 20.0)
-    assert app.sim.world.goal == (20.0, 20.0) and "makes for no goal" in app.message
+    assert app.sim.world.goal == (20.0, 20.0) and "walk there" in app.message
+    assert app.sim.plans.steps[0] > 0
 
 
 def test_the_window_asks_for_a_profile_that_every_machine_has():

@@ -12,7 +12,7 @@ from sim.stage.cast import Cast
 from sim.stage.commands import apply
 from sim.stage.simulation import Simulation
 from sim.view.graphics.camera import Camera
-from sim.view.window import picking
+from sim.view.window import driving, picking
 from worlds.errors import InputError
 
 FRAME = 1 / 60
@@ -29,7 +29,8 @@ HELP = (
 )
 
 
-_NO_GOALS = "; but who wanders makes for no goal (`river` does)"
+_THERE = {"Wander": "; they walk there, and wander on", "RockHop": "; they cross to it"}
+"""What a goal means, by planners; others make for none."""
 
 
 def tick_for(sim: Cast, ticks: int, seconds: float = TICKING) -> int:
@@ -54,6 +55,7 @@ class App:
         self.focus, self.behind, self.message = 0, 0.0, ""
         self.in_view, self.ticking = 0, TICKING
         self.pressed: tuple[int, int] | None = None
+        self.driver, self.sticks = driving.Driver(), driving.AT_REST
         self._tool: str | None = None
         self._reset_view()
 
@@ -66,6 +68,16 @@ class App:
             self.camera.meet(self.sim.com(), 0, 6.5 * self._unit())
         self.camera.follow = site is None
 
+    @property
+    def driven(self) -> bool:
+        """Whether keys drive the one who is followed."""
+        return driving.is_driven(self.sim)
+
+    @property
+    def help(self) -> tuple[str, ...]:
+        """What keys and mouse do."""
+        return driving.HELP if self.driven else HELP
+
     def _unit(self) -> float:
         """Leg length of the character that is followed [m]."""
         return self.sim.leg(self.focus)
@@ -74,6 +86,7 @@ class App:
         """Lets wall time pass: whole ticks, at most MOST_TICKS."""
         if self.paused:
             return
+        self.driver.drive(self.sim, self.focus, self.camera.azimuth, self.sticks)
         self.behind += seconds * self.speed * self.sim.tick_rate
         self.behind -= tick_for(self.sim, min(int(self.behind), self.ticks_left()), self.ticking)
         self.behind = min(self.behind, 1.0)
@@ -93,11 +106,14 @@ class App:
         self._reset_view()
 
     def key(self, name: str) -> None:
-        """A key was pressed."""
+        """A key was pressed: first those that drive, where somebody is driven."""
+        if self.driven and self.driver.press(self.sim, self.focus, name):
+            return
+        pause = "p" if self.driven else "space"
         actions = {
-            "space": self._pause, ".": self._single, "[": self._slower, "]": self._faster, "c": self._next_character,
+            pause: self.toggle, ".": self._single, "[": self._slower, "]": self._faster, "c": self._next_character,
             "o": self._overlays, "f": self._follow, "v": self._plan, "r": self.rebuild, "n": self._next_level,
-            "tab": self._panel, "h": self._help, "escape": self._quit, "a": self._everyone, "left": self._previous,
+            "tab": self._panel, "h": self._help, "escape": self._quit, "a": self.everyone, "left": self._previous,
             "right": self._next,
         }  # fmt: skip
         if name in actions:
@@ -107,10 +123,12 @@ class App:
 
     def key_up(self, name: str) -> None:
         """A key was let go."""
+        self.driver.release(name)
         if name == self._tool:
             self._tool = None
 
-    def _pause(self) -> None:
+    def toggle(self) -> None:
+        """Pauses, or goes on."""
         self.paused = not self.paused
 
     def _single(self) -> None:
@@ -143,7 +161,7 @@ class App:
     def _plan(self) -> None:
         self.camera.plan = not self.camera.plan
 
-    def _everyone(self) -> None:
+    def everyone(self) -> None:
         """An overview: all characters in view, nobody followed."""
         com = self.sim.com()
         com = com[there] if (there := self.sim.present()).any() else com
@@ -198,6 +216,7 @@ class App:
             return
         try:
             apply(self.sim, command)
-            self.message = f"{command.name}: done" + (_NO_GOALS if tool == "g" and self.sim.planner.name == "Wander" else "")
+            meant = _THERE.get(self.sim.planner.name, f"; but {self.sim.planner.name} makes for no goal") if tool == "g" else ""
+            self.message = f"{command.name}: done" + meant
         except (InputError, NoWay) as error:
             self.message = str(error)

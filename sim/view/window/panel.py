@@ -45,7 +45,7 @@ class Panel:
             self._controls(app, rate)
             self._diagram(app, size)
         if app.show_help:
-            self._help(size)
+            self._help(app, size)
         imgui.render()
         self.backend.render(imgui.get_draw_data())
 
@@ -60,17 +60,20 @@ class Panel:
             imgui.text(f"character {app.focus + 1} of {len(sim.characters)}, {app.in_view} in view")
         imgui.text(f"window {sim.effort_of(app.focus)[1]} iterations")
         if imgui.button("go" if app.paused else "pause"):
-            app.key("space")
+            app.toggle()
         for label, key in (("tick", "."), ("restart", "r"), ("level", "n")):
             imgui.same_line()
             if imgui.button(label):
                 app.key(key)
         if imgui.button("character"):
             app.key("c")
-        for label, key in (("overlays", "o"), ("plan", "v"), ("all", "a")):
+        for label, key in (("overlays", "o"), ("plan", "v")):
             imgui.same_line()
             if imgui.button(label):
                 app.key(key)
+        imgui.same_line()
+        if imgui.button("all"):
+            app.everyone()
         changed, speed = imgui.slider_float("speed", app.speed, 1 / 16, 4.0)
         if changed:
             app.speed = speed
@@ -101,11 +104,9 @@ class Panel:
         draw.add_line((at(now), y0), (at(now), y0 + height), imgui.color_convert_float4_to_u32((1, 1, 1, 0.9)), 2.0)
         imgui.end()
 
-    def _help(self, size: tuple[int, int]) -> None:
-        from sim.view.window.app import HELP
-
+    def _help(self, app: App, size: tuple[int, int]) -> None:
         imgui.set_next_window_pos((size[0] / 2 - 240, size[1] / 2 - 60))
         imgui.begin("keys and mouse", None, imgui.WindowFlags_.always_auto_resize)
-        for line in HELP:
+        for line in app.help:
             imgui.text(line)
         imgui.end()

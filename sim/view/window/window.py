@@ -10,6 +10,7 @@ from sim.stage.cast import Cast
 from sim.view.graphics import gl
 from sim.view.pictures.results import Results, Wanted
 from sim.view.window.app import FRAME, App
+from sim.view.window.driving import Pad
 from sim.view.window.plan_screen import PlanScreen
 from worlds.compiled.telling import tell
 
@@ -27,11 +28,12 @@ def run_window(
     pygame.display.init()
     app = App(make, sim, options, levels)
     screen = _open_screen(pygame, options.size)
-    results = Results(wanted, app.sim)
+    results, pad = Results(wanted, app.sim), Pad(pygame)
     last, frames, began = clock.perf_counter(), 0, clock.perf_counter()
     while app.running and app.ticks_left() and not stop():
         for event in pygame.event.get():
             handle(app, screen, event, pygame)
+        app.sticks = pad.read()
         now = clock.perf_counter()
         app.advance(now - last)
         results.follow(app.sim)
@@ -72,6 +74,8 @@ def handle(app: App, screen: Any, event: Any, pygame: ModuleType) -> None:
         app.key(typed(event, pygame))
     elif event.type == pygame.KEYUP:
         app.key_up(typed(event, pygame))
+    elif event.type == pygame.WINDOWFOCUSLOST:
+        app.driver.held.clear()
     elif event.type == pygame.MOUSEWHEEL:
         app.camera.zoom(event.y)
     elif event.type == pygame.MOUSEMOTION and any(event.buttons):

@@ -8,17 +8,28 @@ import pytest
 from motion.characters.character import load_character
 from motion.track.footprints import LEFT, RIGHT, Step
 from planner.modes.external import ROOM, External
-from planner.modes.wander import Wander
+from planner.modes.steer import Steered
 from planner.planner import NoWay
 from sim.files.archive import flat
 from sim.files.recording import Recorder, load_recording
 from sim.files.saving import restore, save
-from sim.reports.measure import measure
-from sim.stage.commands import COMMANDS, Give, Pause, PlantTree, PutRock, Recast, Remove, SetGoal, apply, from_plain, replay
+from sim.stage.commands import (
+    COMMANDS,
+    Give,
+    Pause,
+    PlantTree,
+    PutRock,
+    Recast,
+    Remove,
+    SetGoal,
+    Steer,
+    apply,
+    from_plain,
+    replay,
+)
 from sim.stage.making import make_simulation
 from sim.stage.simulation import Simulation
 from worlds.errors import InputError
-from worlds.level import load_level
 from worlds.world import World
 
 NAN = float("nan")
@@ -40,6 +51,10 @@ def wandering():
 
 def fed():
     return Simulation(World("yard", (20.0, 10.0)), [load_character("human")], External([(2.0, 5.0, 0.0)]))
+
+
+def driven():
+    return Simulation(World("yard", (20.0, 10.0), start=(5.0, 5.0)), [load_character("human")] * 2, Steered())
 
 
 def state(sim):
@@ -64,6 +79,11 @@ REFUSED = {
     "too many steps": (fed, lambda sim: Give(0, (Step(LEFT, 5.0, 5.0, 0.0),) * (ROOM + 1)), f"{ROOM} in all"),
     "no foot": (fed, lambda sim: Give(0, (Step(2, 5.0, 5.0, 0.0),)), "steps.0.side"),
     "longer than a minute": (fed, lambda sim: Give(0, (Step(LEFT, 5.0, 5.0, 0.0, time=90.0),)), "steps.0.time"),
+    "steered by nobody": (wandering, lambda sim: Steer.of(0, 0.0, "walk"), "decides for itself"),
+    "no pace": (driven, lambda sim: Steer.of(0, 0.0, "wlak"), "did you mean walk"),
+    "nowhere": (driven, lambda sim: Steer.of(0, NAN, "walk"), "finite angles"),
+    "nobody to steer": (driven, lambda sim: Steer.of([0, 2], 0.0, "walk"), "there are 2"),
+    "a wish too many": (driven, lambda sim: Steer.of([0, 1], [0.0, 1.0, 2.0], "walk"), "3 values of direction"),
 }
 
 
@@ -73,6 +93,8 @@ MISTYPED = {
     "half a character": (lambda: Pause(0.5), "whole number"),
     "half a tree": (lambda: Remove("tree", 1.0), "whole number"),
     "a goal of text": (lambda: SetGoal(1.0, "b"), "set goal: y"),
+    "a direction of text": (lambda: Steer.of(0, ["x"], "walk"), "steer: direction.0"),
+    "a pace of numbers": (lambda: Steer.of(0, 0.0, 3), "steer: pace.0"),
     "steps that are none": (lambda: Give(0, (1,)), "steps.0"),
     "a body of nothing": (lambda: Recast(0, [], {}), "dimensions"),
 }
@@ -178,7 +200,21 @@ def changed_feet():
     return ticked(sim, 120)
 
 
-RUNS = {"river": (crossing, changed_river), "wander": (wandering, changed_wander), "fed": (fed, changed_feet)}
+def changed_course():
+    sim = ticked(driven(), 60)
+    apply(sim, Steer.of([0, 1], np.array([0.3, 2.0]), ["run", "walk"]))
+    ticked(sim, 150)
+    apply(sim, Steer.of(0, 1.5, "walk", leap=True))
+    apply(sim, Steer.of(1, 1.5, "creep", aside=-1.5))
+    return ticked(sim, 200)
+
+
+RUNS = {
+    "driven": (driven, changed_course),
+    "river": (crossing, changed_river),
+    "wander": (wandering, changed_wander),
+    "fed": (fed, changed_feet),
+}
 
 
 @pytest.mark.parametrize("name", RUNS)
@@ -216,50 +252,3 @@ def test_what_is_no_command_is_refused():
     for plain in ({"command": "fly"}, {}, {"command": "pause", "characters": 1}):
         with pytest.raises(InputError, match="is no command"):
             from_plain(plain)
-
-
-def test_one_that_is_paused_stands_while_the_others_go_on():
-    sim = ticked(wandering(), 200)
-    apply(sim, Pause(1))
-    ticked(sim, 120)
-    still = sim.snapshot().toe[1].copy()
-    moved = sim.com()[0].copy()
-    ticked(sim, 240)
-    np.testing.assert_array_equal(sim.snapshot().toe[1], still)
-    assert np.linalg.norm(sim.com()[0] - moved) > 0.5
-    apply(sim, Pause(1, False))
-    ticked(sim, 300)
-    assert np.abs(sim.snapshot().toe[1] - still).max() > 0.3
-
-
-def test_one_that_is_recast_walks_on_where_it_stood():
-    sim = ticked(wandering(), 300)
-    feet = sim.feet().position[1, :, :2].mean(axis=0)
-    apply(sim, Recast.to(1, load_character("human")))
-    assert np.linalg.norm(sim.com()[1, :2] - feet) < 0.2 and sim.leg(1) > 1.7 * sim.leg(0)
-    ticked(sim, 600)
-    assert np.linalg.norm(sim.com()[1, :2] - feet) > 1.0
-
-
-def test_edits_do_not_falsify_a_measurement():
-    """A tree planted where footprints lie by then was not there when they were made; nor does one of a human measure a bird."""
-    sim = make_simulation("forest", "bird", 1, 4, False)
-    recorder = Recorder(sim)
-    for k in range(1200):
-        sim.tick()
-        recorder.capture()
-        if k == 600:
-            behind = sim.walked().footprints.position[2, :2].tolist()
-            apply(sim, PlantTree(*behind, 0.4))
-        if k == 800:
-            apply(sim, Recast.to(0, load_character("human")))
-    report = measure(recorder.recording())
-    assert report["worst"]["tree_distance"] > 0.1
-    assert [one["name"] for one in report["characters"]] == ["bird", "human"]
-    assert report["worst"]["skate"] < 1e-3 and report["worst"]["overreach"] < 1e-3
-
-
-def test_wanderers_of_a_level_change_worlds_without_losing_their_way():
-    sim = ticked(Simulation(load_level("forest_river"), [load_character("human")], Wander(), 3), 100)
-    apply(sim, PutRock(5.0, 5.0))
-    assert ticked(sim, 300).steps_planned[0] > 5
