@@ -32,8 +32,9 @@ WELL_ON = 0.5
 """A foot that snaps to a rock is set down so much of its sole, or of the rock, inside the rock's edge."""
 BESIDE, ACROSS = 0.55, -0.2
 """A foot is set down so far to its own side of the other one, in step widths: beside it, and well ahead of it."""
-LONG, LONG_LIFT, LIFT = 1.6, 0.2, 0.5
-"""A swing over more than so many longest steps is lifted no higher than this share of the leg, any other than the next."""
+LONG, LONG_LIFT, LIFT, BOW = 1.6, 0.2, 0.35, 0.8
+"""A swing over more than so many longest steps is lifted no higher than this share of the leg, any other than the next;
+it bows outward by so many step widths."""
 SAMPLES = 20
 """Shares of a swing at which the ground below it is asked for."""
 GRAIN = 0.08
@@ -66,7 +67,7 @@ def may_stand(biped: Dimensions, world: WorldArrays, foot: Foot, x: float, y: fl
     why = why_not_step(biped, world, foot, x, y, heading)
     if why != WATER:
         return why == FINE
-    return queries.rock_under(world, x, y, EDGE) >= 0 and queries.tree_clearance(world, x, y) > 0.5 * biped.foot.length
+    return queries.rock_under(world, x, y, EDGE) >= 0 and _room(world, x, y) > 0.5 * biped.foot.length
 
 
 @jit_borrowing
@@ -86,8 +87,9 @@ def body_passes(biped: Dimensions, world: WorldArrays, begin: Place, end: Place)
 
 @jit_borrowing
 def _room(world: WorldArrays, x: float, y: float) -> float:
-    """Distance to the nearest tree or to the border [m]."""
-    return min(queries.tree_clearance(world, x, y), queries.border_clearance(world, x, y))
+    """Distance to the nearest tree or wall or to the border [m]."""
+    solid = min(queries.tree_clearance(world, x, y), queries.wall_clearance(world, x, y))
+    return min(solid, queries.border_clearance(world, x, y))
 
 
 @jit_borrowing
@@ -120,13 +122,17 @@ def _swings(biped: Dimensions, world: WorldArrays, foot: Foot, x: float, y: floa
     end = under_sole(biped, world, x, y, heading)[0]
     long = hypot(x - foot.x, y - foot.y) > LONG * biped.reach.max_step
     most = (LONG_LIFT if long else LIFT) * biped.leg.nominal_length
-    dx, dy = 0.5 * biped.foot.length * cos(heading), 0.5 * biped.foot.length * sin(heading)
+    dx, dy, own = 0.5 * biped.foot.length * cos(heading), 0.5 * biped.foot.length * sin(heading), 1.0
+    if foot.side != LEFT:
+        own = -1.0
     for k in range(1, SAMPLES):
         s = k / SAMPLES
         gone = swing.progress(s, swing.EDGE_HOLD)
-        px, py, z = mix(foot.x, x, gone), mix(foot.y, y, gone), mix(begin, end, gone) + most * swing.bump(s)
-        if max(queries.ground_height(world, px + dx, py + dy), queries.ground_height(world, px - dx, py - dy)) > z + UNDER:
-            return False
+        px, py, z = mix(foot.x, x, gone), mix(foot.y, y, gone), mix(begin, end, gone) + most * swing.bump(s) + UNDER
+        for bow in (0.0, own * BOW * biped.gait.step_width * swing.bump(s)):
+            qx, qy = px - bow * sin(heading), py + bow * cos(heading)
+            if max(queries.ground_height(world, qx + dx, qy + dy), queries.ground_height(world, qx - dx, qy - dy)) > z:
+                return False
     return True
 
 
