@@ -129,7 +129,8 @@ def flat(prefix: str, table: tuple) -> Arrays:
 def unflat(prefix: str, model: Any, arrays: Arrays, rows: int | None = None) -> Any:
     """What `flat` made arrays of, of the model's types and shapes; where `rows` are given, of its dimensions, and so many rows.
 
-    Columns that the model's `shared()` names are of all together, and may have any number of rows. Floats must be finite. Raises KeyError, ValueError.
+    Columns that the model's `shared()` names are of all together, and may have any number of rows. Floats must be finite.
+    Raises KeyError, ValueError.
     """
     found = {}
     for name, expected in model._asdict().items():
