@@ -7,11 +7,11 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from sim import VERSION
+from sim.cli import values
 from sim.export.endings import FILMS, FORMATS
+from sim.files.imports.trajectories import formats
 
 ABOUT = "Footfall: footprints in, living motion out."
-TRAJECTORIES = ("jupedsim", "pedpy", "vadere", "obsmat", "plain")
-"""Files of trajectories, as sim.files.imports.trajectories.formats has them."""
 DEFAULTS: dict[str, dict[str, Any]] = {
     "wander": {"level": "forest", "character": "bird", "characters": 1, "seed": 0},
     "steer": {"level": "forest", "character": "human", "characters": 1, "seed": 0},
@@ -96,7 +96,7 @@ def _add_runs(commands: argparse._SubParsersAction) -> None:
     play.add_argument("--list", action="store_true", help="name the scenes that ship")
     edit = commands.add_parser("edit", help="the studio: place footprints, shape their timing, see the motion at once")
     edit.add_argument("level", nargs="?", metavar="SCENE", help="a scene that ships, or a .toml file; without one, a new scene")
-    edit.add_argument("--size", type=_size, default=(1280, 720), metavar="WxH")
+    edit.add_argument("--size", type=values.size, default=(1280, 720), metavar="WxH")
     edit.add_argument("--scale", type=float, default=1.0, choices=SCALES, help="of letters: 2 on screens of twice the pixels")
     edit.add_argument("--screenshot", metavar="P.png", help="draw the studio once, without a window, and end")
     edit.add_argument("--pictures", metavar="FOLDER", help="draw the pictures of docs/studio.md, and end")
@@ -118,7 +118,9 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     measure = commands.add_parser("measure", help="measure the quality of a recorded run")
     measure.add_argument("recording", metavar="RUN.npz")
     measure.add_argument("--plot", metavar="OUT.png", help="draw com, costs, joints, stances over time (.png, .svg, .pdf)")
-    measure.add_argument("--character-index", type=_index, default=0, metavar="C", help="of the character to draw, from 0")
+    measure.add_argument(
+        "--character-index", type=values.index, default=0, metavar="C", help="of the character to draw, from 0"
+    )
     measure.add_argument("--between", type=float, nargs=2, metavar=("T0", "T1"), help="draw only these seconds")
     timing = commands.add_parser("timing", help="the automatic timing over the step length")
     timing.add_argument("--character", help="bird, dinosaur, human, ostrich, or a .toml file; without it every one that ships")
@@ -143,9 +145,13 @@ def _add_imports(commands: argparse._SubParsersAction) -> None:
     """Commands that bring in what others have measured."""
     prints = commands.add_parser("import-trackway", help="make a scene of a trackway: prints of a .tps or .csv file")
     prints.add_argument("file", metavar="FILE")
-    prints.add_argument("--scale", type=_length, metavar="M", help="metres in a pixel or unit of the file (a .csv's own: 1)")
-    prints.add_argument("--hip-height", type=_length, nargs="+", required=True, metavar="H", help="metres; one, or one each")
-    prints.add_argument("--trackway", type=_index, metavar="K", help="only this one, from 1; else all, in one world")
+    prints.add_argument(
+        "--scale", type=values.length, metavar="M", help="metres in a pixel or unit of the file (a .csv's own: 1)"
+    )
+    prints.add_argument(
+        "--hip-height", type=values.length, nargs="+", required=True, metavar="H", help="metres; one, or one each"
+    )
+    prints.add_argument("--trackway", type=values.index, metavar="K", help="only this one, from 1; else all, in one world")
     prints.add_argument("--first-side", choices=("left", "right"), nargs="+", default=["left"], help="one, or one each")
     prints.add_argument("--character", default="dinosaur", help="who walks, scaled to the hip height")
     prints.add_argument("--speed", choices=("ruiz", "alexander"), default="ruiz", help="the law of the speed")
@@ -153,8 +159,8 @@ def _add_imports(commands: argparse._SubParsersAction) -> None:
     prints.add_argument("--json", action="store_true", help="print the report as JSON")
     people = commands.add_parser("import-trajectories", help="let people walk where a file says that they were")
     people.add_argument("file", metavar="FILE")
-    people.add_argument("--format", choices=TRAJECTORIES, help="by default as the file looks")
-    people.add_argument("--fps", type=_length, help="frames a second, where the file does not say")
+    people.add_argument("--format", choices=formats.FORMATS, help="by default as the file looks")
+    people.add_argument("--fps", type=values.length, help="frames a second, where the file does not say")
     people.add_argument("--between", type=float, nargs=2, metavar=("T0", "T1"), help="only these seconds of the file")
     people.add_argument("--character", default="human", help="bird, dinosaur, human, ostrich, or a .toml file")
     _shown(people)
@@ -165,13 +171,13 @@ def _add_batch(commands: argparse._SubParsersAction) -> None:
     """Many runs at once."""
     batch = commands.add_parser("batch", help="simulate many levels and seeds, measured in one table; killed, it goes on")
     batch.add_argument("--level", nargs="+", required=True, help="levels that ship, or .toml files")
-    batch.add_argument("--seeds", type=_seeds, required=True, metavar="A:B", help="from A on, up to but not B")
+    batch.add_argument("--seeds", type=values.seeds, required=True, metavar="A:B", help="from A on, up to but not B")
     batch.add_argument("--out", required=True, metavar="DIR", help="where shards and table are, and where to go on")
     batch.add_argument("--task", choices=("wander", "river"), default="wander", help="wander about, or cross to the goal")
     batch.add_argument("--character", default="bird", help="bird, dinosaur, human, ostrich, or a .toml file")
-    batch.add_argument("--characters", type=_positive, default=1, metavar="N", help="how many in each run")
-    batch.add_argument("--seconds", type=_seconds, default=20.0, metavar="T", help="simulated seconds of each run")
-    batch.add_argument("--jobs", type=_positive, metavar="J", help="processes; by default one for each processor")
+    batch.add_argument("--characters", type=values.positive, default=1, metavar="N", help="how many in each run")
+    batch.add_argument("--seconds", type=values.seconds, default=20.0, metavar="T", help="simulated seconds of each run")
+    batch.add_argument("--jobs", type=values.positive, metavar="J", help="processes; by default one for each processor")
     batch.add_argument("--engine", choices=("processes", "ray"), default="processes", help="this machine, or a Ray cluster")
     batch.add_argument("--json", action="store_true", help="print what came of it as JSON")
 
@@ -184,83 +190,26 @@ def _add_doors(commands: argparse._SubParsersAction) -> None:
     )  # fmt: skip
     export.add_argument("source", metavar="RUN.npz|STATE.npz|SCENE", help="a recording, a saved state, or a scene")
     export.add_argument("out", metavar="OUT", help="its ending says what is made")
-    export.add_argument("--character-index", type=_index, metavar="C", help="only this one, from 0")
+    export.add_argument("--character-index", type=values.index, metavar="C", help="only this one, from 0")
     export.add_argument("--between", type=float, nargs=2, metavar=("T0", "T1"), help="only these seconds of the run")
     export.add_argument("--fps", type=float, metavar="N", help="moments per second; by default all that there are")
     export.add_argument("--array", metavar="NAME", help=".csv: this array of a recording")
     export.add_argument("--scenery", action="store_true", help="terrain, trees, rocks and water too (.glb)")
-    export.add_argument("--size", type=_size, default=(960, 540), metavar="WxH", help="of films and sprites, in pixels")
+    export.add_argument("--size", type=values.size, default=(960, 540), metavar="WxH", help="of films and sprites, in pixels")
 
 
 def _common(job: argparse.ArgumentParser) -> None:
     job.add_argument("--character", help="bird, dinosaur, human, ostrich, or a .toml file")
-    job.add_argument("--characters", type=_positive, metavar="N", help="how many")
-    job.add_argument("--seed", type=_seed, help="of chance; the same one is the same run")
+    job.add_argument("--characters", type=values.positive, metavar="N", help="how many")
+    job.add_argument("--seed", type=values.seed, help="of chance; the same one is the same run")
     _shown(job)
 
 
 def _shown(job: argparse.ArgumentParser) -> None:
     job.add_argument("--headless", action="store_true", help="no window")
-    job.add_argument("--seconds", type=_seconds, metavar="T", help="simulated seconds, then end")
+    job.add_argument("--seconds", type=values.seconds, metavar="T", help="simulated seconds, then end")
     job.add_argument("--record", metavar="RUN.npz")
     job.add_argument("--screenshot", metavar="P.png", help="a picture of the end")
     job.add_argument("--video", metavar="V.mp4", help="a film of the run")
-    job.add_argument("--size", type=_size, default=(960, 540), metavar="WxH")
+    job.add_argument("--size", type=values.size, default=(960, 540), metavar="WxH")
     job.add_argument("--json", action="store_true", help="print the run's summary as JSON")
-
-
-def _number(text: str, kind: type, allowed: str) -> float:
-    try:
-        return kind(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r}: {allowed} is allowed") from None
-
-
-def _positive(text: str) -> int:
-    allowed = "a whole number, 1 to 100000,"
-    value = int(_number(text, int, allowed))
-    if not 1 <= value <= 100_000:
-        raise argparse.ArgumentTypeError(f"{text}: {allowed} is allowed")
-    return value
-
-
-def _index(text: str) -> int:
-    return int(_number(text, int, "a whole number, from 0,"))
-
-
-def _length(text: str) -> float:
-    allowed = "more than 0, at most 1000,"
-    value = float(_number(text, float, allowed))
-    if not 0 < value <= 1000:
-        raise argparse.ArgumentTypeError(f"{text}: {allowed} is allowed")
-    return value
-
-
-def _seed(text: str) -> int:
-    allowed = "a whole number, 0 or more, below 2^63,"
-    value = int(_number(text, int, allowed))
-    if not 0 <= value < 2**63:
-        raise argparse.ArgumentTypeError(f"{text}: {allowed} is allowed")
-    return value
-
-
-def _seeds(text: str) -> tuple[int, int]:
-    first, _, last = text.partition(":")
-    if not (first.isdigit() and last.isdigit() and int(first) < int(last) < 2**63):
-        raise argparse.ArgumentTypeError(f"{text}: A:B is allowed, whole numbers, A less than B, as in 0:100")
-    return int(first), int(last)
-
-
-def _seconds(text: str) -> float:
-    allowed = "more than 0, at most 1000000,"
-    value = float(_number(text, float, allowed))
-    if not 0 < value <= 1e6:
-        raise argparse.ArgumentTypeError(f"{text}: {allowed} is allowed")
-    return value
-
-
-def _size(text: str) -> tuple[int, int]:
-    width, _, height = text.lower().partition("x")
-    if not (width.isdigit() and height.isdigit() and 64 <= int(width) <= 8192 and 64 <= int(height) <= 8192):
-        raise argparse.ArgumentTypeError(f"{text}: WIDTHxHEIGHT in pixels, 64 to 8192 each, as in 960x540")
-    return int(width), int(height)
