@@ -10,8 +10,8 @@ from motion.measures.forces import impulses, supporting_forces
 from motion.track.footprints import SIDES
 from sim.export.clip.asked import Asked
 from sim.export.clip.clip import Actor, Clip
-from sim.export.tables.table import Columns, write_table
 from sim.files.recording import Recording
+from sim.files.tables import Columns, write_table
 from worlds.errors import InputError
 from worlds.reading import nearest
 

@@ -12,15 +12,16 @@ from sim import VERSION
 from sim.export.clip.asked import Asked
 from sim.export.clip.clip import Actor, Clip
 from sim.files import outputs
+from sim.files.imports.trajectories import formats as words
 from worlds.errors import InputError
 
-_TABLES = """
-CREATE TABLE trajectory_data (frame INTEGER NOT NULL, id INTEGER NOT NULL, pos_x REAL NOT NULL, pos_y REAL NOT NULL,
+_TABLES = f"""
+CREATE TABLE {words.TABLE} (frame INTEGER NOT NULL, id INTEGER NOT NULL, pos_x REAL NOT NULL, pos_y REAL NOT NULL,
                               ori_x REAL NOT NULL, ori_y REAL NOT NULL);
-CREATE TABLE metadata (key TEXT NOT NULL UNIQUE PRIMARY KEY, value TEXT NOT NULL);
+CREATE TABLE {words.META} (key TEXT NOT NULL UNIQUE PRIMARY KEY, value TEXT NOT NULL);
 CREATE TABLE geometry (hash INTEGER NOT NULL, wkt TEXT NOT NULL);
 CREATE TABLE frame_data (frame INTEGER NOT NULL, geometry_hash INTEGER NOT NULL);
-CREATE INDEX frame_id_idx ON trajectory_data (frame, id);
+CREATE INDEX frame_id_idx ON {words.TABLE} (frame, id);
 """
 """JuPedSim's tables, version 2 (jupedsim-python, sqlite_serialization)."""
 
@@ -28,7 +29,7 @@ CREATE INDEX frame_id_idx ON trajectory_data (frame, id);
 def export_text(clip: Clip, path: str, asked: Asked) -> None:
     """PedPy's and JuPedSim's text: id, frame, x, y, z, rows by id. Raises InputError."""
     with outputs.whole(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
-        file.write(f"# Footfall {VERSION}: {clip.name}\n# framerate: {clip.rate:g}\n# id frame x/m y/m z/m\n")
+        file.write(f"# Footfall {VERSION}: {clip.name}\n# {words.RATE}: {clip.rate:g}\n# id frame x/m y/m z/m\n")
         for actor in clip.actors:
             rows = np.column_stack([np.full(len(clip.time), actor.index), np.arange(len(clip.time)), actor.pose.com])
             np.savetxt(file, rows, fmt="%d %d %.6f %.6f %.6f")
@@ -54,14 +55,14 @@ def _fill(file: sqlite3.Connection, clip: Clip) -> None:
     corners = [(low_x, low_y), (high_x, low_y), (high_x, high_y), (low_x, high_y), (low_x, low_y)]
     wkt = f"POLYGON (({', '.join(f'{x:g} {y:g}' for x, y in corners)}))"
     bounds = {"xmin": low_x, "xmax": high_x, "ymin": low_y, "ymax": high_y}
-    values = {"version": "2", "fps": f"{clip.rate:g}"} | {key: f"{value:g}" for key, value in bounds.items()}
-    file.executemany("INSERT INTO metadata VALUES (?, ?)", values.items())
+    values = {"version": "2", words.FPS: f"{clip.rate:g}"} | {key: f"{value:g}" for key, value in bounds.items()}
+    file.executemany(f"INSERT INTO {words.META} VALUES (?, ?)", values.items())
     file.execute("INSERT INTO geometry VALUES (1, ?)", (wkt,))
     file.executemany("INSERT INTO frame_data VALUES (?, 1)", ((k,) for k in range(len(clip.time))))
     for actor in clip.actors:
         rows = np.column_stack([actor.pose.com[:, :2], _ahead(actor)]).tolist()
         file.executemany(
-            "INSERT INTO trajectory_data VALUES (?, ?, ?, ?, ?, ?)", ((k, actor.index, *r) for k, r in enumerate(rows))
+            f"INSERT INTO {words.TABLE} VALUES (?, ?, ?, ?, ?, ?)", ((k, actor.index, *r) for k, r in enumerate(rows))
         )
 
 
@@ -75,7 +76,8 @@ def _ahead(actor: Actor) -> np.ndarray:
 def export_footsteps(clip: Clip, path: str, asked: Asked) -> None:
     """Vadere's footsteps (`postvis.traj`): where the person was at each contact of a foot and at the next one."""
     with outputs.whole(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
-        file.write("pedestrianId simTime endTime-PID1 startX-PID1 startY-PID1 endX-PID1 endY-PID1 targetId-PID2\n")
+        own, step = words.FOOTSTEP[:2], words.FOOTSTEP[2:]
+        file.write(f"{' '.join([*own, *(f'{name}-PID1' for name in step)])} targetId-PID2\n")
         steps = [row for actor in clip.actors for row in _steps(actor, clip.time)]
         for begin, end, who, *places in sorted(steps):
             file.write(f"{who + 1:d} {begin:.6f} {end:.6f} {' '.join(f'{value:.6f}' for value in places)} -1\n")

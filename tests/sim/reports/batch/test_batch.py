@@ -22,7 +22,7 @@ SMALL = ["batch", "--level", "forest", "--seeds", "3:6", "--seconds", "1", "--ch
 @pytest.fixture(autouse=True)
 def csv_tables(monkeypatch):
     """Tables as text, whatever is installed here."""
-    monkeypatch.setattr(table, "_arrow", lambda: None)
+    monkeypatch.setattr(table, "_has_arrow", lambda: False)
 
 
 def made(folder, *more):
@@ -35,7 +35,7 @@ def whole(tmp_path_factory):
     """A batch that nobody has disturbed."""
     folder = tmp_path_factory.mktemp("whole")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(table, "_arrow", lambda: None)
+        patch.setattr(table, "_has_arrow", lambda: False)
         return folder, made(folder)
 
 
