@@ -4,7 +4,6 @@ import os
 from pathlib import Path
 from typing import Any
 
-from sim.cli.status import DONE
 from sim.export.clip.asked import Asked
 from sim.export.clip.clip import Clip
 from sim.export.clip.cutting import clip_of
@@ -19,7 +18,7 @@ from worlds.compiled.telling import tell
 from worlds.errors import InputError
 
 
-def export(options: Any) -> int:
+def export(options: Any) -> None:
     """Writes one file, or one per character where a format holds one only."""
     begin, end = options.between or (None, None)
     asked = Asked(
@@ -31,13 +30,12 @@ def export(options: Any) -> int:
     source = opened(options.source)
     if asked.array is not None:
         _export_array(source, options, asked)
-        return DONE
+        return
     clip = clip_of(_recording(source, asked), asked)
     for part, path in _parts(clip, options.out) if form.apart else [(clip, options.out)]:
         write(part, path, asked)
         print(f"wrote {os.path.abspath(path)}")
     _say(clip)
-    return DONE
 
 
 def _recording(source: Recording | Cast, asked: Asked) -> Recording:

@@ -5,7 +5,7 @@ from importlib import import_module
 from typing import Any
 
 from planner.planner import NoWay
-from sim.cli.status import BAD_INPUT, IMPOSSIBLE
+from sim.cli.status import BAD_INPUT, DONE, IMPOSSIBLE
 from worlds.errors import InputError
 
 COMMANDS = {
@@ -29,10 +29,11 @@ COMMANDS = {
 
 
 def run(options: Any) -> int:
-    """Runs the command of `options`; errors of people become one message and a status."""
+    """Runs the command of `options`; returns its status, DONE where it tells none. Errors of people become one message."""
     module, _, name = COMMANDS[options.command].partition(".")
     try:
-        return getattr(import_module(f"sim.cli.{module}"), name)(options)
+        status = getattr(import_module(f"sim.cli.{module}"), name)(options)
+        return DONE if status is None else status
     except InputError as error:
         print(f"footfall: {error}", file=sys.stderr)
         return BAD_INPUT

@@ -8,7 +8,6 @@ from typing import Any
 
 from motion.characters.character import character_names, load_character
 from planner.round.weights import PEOPLE, Weights
-from sim.cli.status import DONE
 from sim.files import outputs
 from sim.files.recording import load_recording
 from sim.reports import literature, measured, timings
@@ -20,7 +19,7 @@ from worlds.errors import InputError
 from worlds.reading import nearest
 
 
-def measured_run(options: Any) -> int:
+def measured_run(options: Any) -> None:
     """The quality of a recorded run."""
     recording = load_recording(options.recording)
     _check_plot(options.plot)
@@ -29,10 +28,9 @@ def measured_run(options: Any) -> int:
         _plots().plot_run(recording, options.character_index, options.plot, options.between)
         _say_plot(options)
     print(json.dumps(report) if options.json else measured.in_words(report))
-    return DONE
 
 
-def timing(options: Any) -> int:
+def timing(options: Any) -> None:
     """The automatic timing as a table, numbers or a figure."""
     _check_plot(options.plot)
     characters = [load_character(name) for name in ([options.character] if options.character else character_names())]
@@ -42,10 +40,9 @@ def timing(options: Any) -> int:
         _say_plot(options)
     if options.json or not options.plot:
         print(json.dumps(tables) if options.json else timings.in_words(tables))
-    return DONE
 
 
-def people(options: Any) -> int:
+def people(options: Any) -> None:
     """The human beside people; a figure that does not fit is no error of the command."""
     _check_plot(options.plot)
     curves = people_of(options.curves) if options.curves else {}
@@ -54,10 +51,9 @@ def people(options: Any) -> int:
         _plots().plot_strides(literature.strides(), curves, options.plot)
         _say_plot(options)
     print(json.dumps(literature.as_dict(rows)) if options.json else literature.in_words(rows))
-    return DONE
 
 
-def bench(options: Any) -> int:
+def bench(options: Any) -> None:
     """Speed against other solvers."""
     from sim.bench import report
 
@@ -67,19 +63,18 @@ def bench(options: Any) -> int:
         _plots().plot_crowds(results["crowd"], options.plot)
         _say_plot(options)
     print(json.dumps(results) if options.json else report.in_words(results))
-    return DONE
 
 
-def verified(options: Any) -> int:
+def verified(options: Any) -> None:
     """A line for each case; a figure that does not fit is no error of the command."""
     weights, folder, found = _weights(options.without), _folder(options.trajectories), []
-    for verdict in verifying.verify(options.quick, folder, weights):
-        found.append({**verdict._asdict(), "fits": verdict.fits})
+    for row in verifying.verify(options.quick, folder, weights):
+        found.append(row)
         if not options.json:
-            print(verifying.in_words(verdict), flush=True)
-    fits = sum(one["fits"] for one in found)
-    print(json.dumps({"cases": found, "fits": fits}) if options.json else f"{fits} of {len(found)} fit")
-    return DONE
+            print(verifying.in_words(row), flush=True)
+    fits = sum(row.fits for row in found)
+    told = {"cases": [verifying.as_dict(row) for row in found], "fits": fits}
+    print(json.dumps(told) if options.json else f"{fits} of {len(found)} fit")
 
 
 def _check_plot(path: str | None) -> None:

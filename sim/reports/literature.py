@@ -6,7 +6,6 @@ pendulum, and lowest in running, a spring (Cavagna).
 """
 
 from functools import cache
-from typing import NamedTuple
 
 from motion.characters.character import load_character
 from motion.track.footprints import LEFT, RIGHT, SIDES
@@ -15,6 +14,7 @@ from planner.script.scene import Scene, one_track
 from sim.files.recording import Recorder
 from sim.reports.cycles import ANGLES, Cycle, at, compared, cycle
 from sim.reports.measure import measure
+from sim.reports.people import Row
 from sim.reports.timings import run_from
 from sim.stage.performance import Performance
 from worlds.world import World
@@ -26,21 +26,6 @@ STEADY, SETTLING = 24, 6
 RUNS = {0.93: 2.5, 1.23: 3.5, 1.48: 4.5}
 """Runners' steps [m] and speeds [m/s] (Fukuchi et al. 2017)."""
 SPEED_UP = {WALK: (0.4, 0.6), RUN: (0.5, 0.8, 0.95), 0.93: (0.5, 0.8), 1.23: (0.5, 0.8, 1.0), 1.48: (0.5, 0.8, 1.0, 1.2)}
-
-
-class Row(NamedTuple):
-    """A figure of ours, and the range (inclusive) in which people's lie."""
-
-    what: str
-    unit: str
-    value: float
-    low: float
-    high: float
-
-    @property
-    def fits(self) -> bool:
-        """Whether ours lies in the range."""
-        return self.low <= self.value <= self.high
 
 
 def straight(step: float, character: str = "human") -> Scene:
@@ -151,6 +136,5 @@ def in_words(rows: list[Row]) -> str:
     """The table for people, in Markdown."""
     lines = ["| human, automatic timing | here | people | |", "|---|---|---|---|"]
     for row in rows:
-        ours = f"{row.value:.3g} {row.unit}".rstrip()
-        lines.append(f"| {row.what} | {ours} | {row.low:g} to {row.high:g} | {'fits' if row.fits else 'does NOT fit'} |")
+        lines.append(f"| {row.what} | {row.told} | {row.low:g} to {row.high:g} | {row.verdict} |")
     return "\n".join(lines)

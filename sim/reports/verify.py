@@ -13,6 +13,7 @@ from planner.round.weights import PEOPLE, Weights
 from sim.files.outputs import whole
 from sim.reports import flows
 from sim.reports.flows import Flow
+from sim.reports.people import Row
 
 RING_BANDS = {0.5: (1.20, 1.54), 1.0: (0.96, 1.47), 1.5: (0.71, 1.19), 2.0: (0.51, 1.01), 2.5: (0.35, 0.56), 3.0: (0.2, 0.4)}
 """Speeds [m/s] by density [1/m^2]."""
@@ -31,21 +32,6 @@ class Case(NamedTuple):
     high: float
     run: Callable[[Weights], Flow]
     figure: Callable[[Flow], float]
-
-
-class Verdict(NamedTuple):
-    """What came out of a case."""
-
-    name: str
-    figure: float
-    unit: str
-    low: float
-    high: float
-
-    @property
-    def fits(self) -> bool:
-        """Whether the figure lies where people's does."""
-        return self.low <= self.figure <= self.high
 
 
 def cases(quick: bool) -> list[Case]:
@@ -97,17 +83,21 @@ def _against(count: int, weights: Weights) -> Flow:
     return flows.watched(sim, LONGEST, sim.world.size[0] / 2)
 
 
-def verify(quick: bool = False, folder: Path | None = None, weights: Weights = PEOPLE) -> Iterator[Verdict]:
-    """Verdict by verdict, as they come; trajectories are written into the folder, if there is one."""
+def verify(quick: bool = False, folder: Path | None = None, weights: Weights = PEOPLE) -> Iterator[Row]:
+    """Row by row, as they come; trajectories are written into the folder, if there is one."""
     for k, case in enumerate(cases(quick)):
         flow = case.run(weights)
         if folder is not None:
             with whole(folder / f"{k + 1:02d}.txt") as path:
                 path.write_text(flows.trajectories(flow), encoding="utf-8")
-        yield Verdict(case.name, case.figure(flow), case.unit, case.low, case.high)
+        yield Row(case.name, case.unit, case.figure(flow), case.low, case.high)
 
 
-def in_words(verdict: Verdict) -> str:
+def in_words(row: Row) -> str:
     """A line of the table."""
-    told, word = f"{verdict.figure:.3g} {verdict.unit}".strip(), "fits" if verdict.fits else "does NOT fit"
-    return f"{verdict.name:50} {told:>16}   people {verdict.low:g} to {verdict.high:g}   {word}"
+    return f"{row.what:50} {row.told:>16}   people {row.low:g} to {row.high:g}   {row.verdict}"
+
+
+def as_dict(row: Row) -> dict:
+    """A row for JSON."""
+    return {"name": row.what, "figure": row.value, "unit": row.unit, "low": row.low, "high": row.high, "fits": row.fits}
