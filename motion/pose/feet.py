@@ -127,10 +127,9 @@ def _flights(biped: Dimensions, footprints: Footprints, last: int, following: in
     contact, stance = footprints.contact_time, footprints.stance_time
     leaves = contact[last] + stance[last] < contact[last + 1]
     lands = contact[following - 1] + stance[following - 1] < contact[following]
-    less, full = (0.0, 0.0), FIRM_REACH + WITHIN
-    if leaves:
-        less = (full - foot.leaving_reach(biped, footprints, last + 1), 0.0)
-    return less[0], (full - foot.landing_reach(biped, footprints, following) if lands else 0.0)
+    full = FIRM_REACH + WITHIN
+    leaving = full - foot.leaving_reach(biped, footprints, last + 1) if leaves else 0.0
+    return leaving, (full - foot.landing_reach(biped, footprints, following) if lands else 0.0)
 
 
 @jit_borrowing

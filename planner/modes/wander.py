@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.arithmetic.smooth import smoothstep
+from motion.arithmetic.smooth import mix, smoothstep
 from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
 from planner.planner import Situation, fault_of_place
@@ -54,8 +54,7 @@ def drift(seed: int, character: int, step: int) -> float:
     block, part = step // DRIFT_STEPS, (step % DRIFT_STEPS) / DRIFT_STEPS
     a = random.uniform(seed, character, block, random.DRIFT)
     z = random.uniform(seed, character, block + 1, random.DRIFT)
-    part = smoothstep(part)
-    return DRIFT * (2 * (a + part * (z - a)) - 1)
+    return DRIFT * (2 * mix(a, z, smoothstep(part)) - 1)
 
 
 @jit_borrowing
