@@ -8,12 +8,13 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.arithmetic.gravity import GRAVITY, pendulum_time
+from motion.arithmetic.smooth import smoothstep
 from motion.arithmetic.triples import Triple, minus
 from motion.characters.dimensions import Dimensions
 from motion.com import problem as problems
 from motion.com.problem import Layout, Problem
 from motion.track import foot, heading, phases
-from motion.track.footprints import LEFT, Footprints
+from motion.track.footprints import LEFT, Footprints, rise
 from motion.track.pelvis import pelvis_between, pelvis_turns
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 
@@ -23,8 +24,9 @@ SPRINGY = 0.25
 """Share of comfort that counts in a stance beside a flight: there the leg is a spring, and gives as physics asks."""
 MIDDLE = 4.5
 """The same in the middle of a walker's single stance on land, where people's legs are straightest."""
-ROCKY = 0.6
-"""The same on rocks, where legs give so that the body keeps its pace."""
+ROCKY, STEEP, GIVES = 0.6, 0.12, 0.25
+"""The same on rocks, where legs give so that the body keeps its pace. Where legs lift or lower the body in a step by STEEP of
+their length or more, GIVES is the most everywhere."""
 SWITCH = 0.005
 """Time [s] in which the force changes from one leg to another that takes over at once."""
 FULL_FLIGHT, BRIEF = 0.12, 0.3
@@ -172,15 +174,7 @@ def build_problem(
     if layout.smooth:
         problem = problems.with_effort(problem, STRENGTH * GRAVITY, JERK_WEIGHT, problem.pull)
         problem.comfort_share[:m] = share
-        for i in range(1, m):
-            if not _flies(support, i):
-                n = max(support[i, 0], support[i, 1])
-                if _flies(support, i - 1) and n > 0:
-                    least = foot.landing_reach(biped, footprints, n)
-                    problem.end_reach[0, i] = least + (1 - least) * (1 - _flown(time, support, i - 1, layout.steady))
-                if _flies(support, i + 1) and n + 1 < len(footprints.side):
-                    least = foot.leaving_reach(biped, footprints, n + 1)
-                    problem.end_reach[1, i] = least + (1 - least) * (1 - _flown(time, support, i + 1, layout.steady))
+        _limit_ends(biped, footprints, problem, support[:m])
     problem.time[:] = time[: m + 1]
     for i in range(m):
         if layout.steady and _flies(support, i):
@@ -193,9 +187,35 @@ def build_problem(
 
 
 @jit_borrowing
+def _limit_ends(biped: Dimensions, footprints: Footprints, problem: Problem, support: np.ndarray) -> None:
+    """What legs may reach in the pieces that begin with a landing, and that end with a leaving."""
+    for i in range(1, len(support)):
+        for leg in range(2):
+            left, landed = support[i - 1, leg], support[i, leg]
+            if left == landed:
+                continue
+            if landed > 0:
+                problem.end_reach[0, i] = min(problem.end_reach[0, i], foot.landing_reach(biped, footprints, landed))
+            if 0 <= left < len(footprints.side) - 1:
+                problem.end_reach[1, i - 1] = min(problem.end_reach[1, i - 1], foot.leaving_reach(biped, footprints, left + 1))
+
+
+@jit_borrowing
 def _flies(support: np.ndarray, i: int) -> bool:
     """Whether phase i is a flight."""
     return 0 <= i < len(support) and phases.phase_of(support[i, 0], support[i, 1]) == phases.FLIGHT
+
+
+@jit_borrowing
+def _steep(biped: Dimensions, footprints: Footprints, support: np.ndarray, i: int) -> float:
+    """How steep the way is in phase i, 0 to 1."""
+    n = max(support[i, 0], support[i, 1])
+    if n < 0:
+        return 0.0
+    climb = abs(rise(footprints, n)) if n > 0 else 0.0
+    if n + 1 < len(footprints.side):
+        climb = max(climb, abs(rise(footprints, n + 1)))
+    return smoothstep(climb / (STEEP * biped.leg.nominal_length))
 
 
 @jit_borrowing
@@ -255,6 +275,8 @@ def _in_pieces(
                 share[n] = ROCKY
             elif flown < 1 and single and counts[i] <= SINGLE * k < 2 * counts[i]:
                 share[n] = MIDDLE
+            steep = _steep(biped, footprints, support, i)
+            share[n] += steep * (min(share[n], GIVES) - share[n])
             if flown > 0:
                 share[n] = SPRINGY + (share[n] - SPRINGY) * (1 - flown) if flown < 1 else SPRINGY
             n += 1

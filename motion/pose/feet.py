@@ -16,10 +16,10 @@ from worlds.compiled.jit import jit_borrowing, jit_inline
 
 FREE_REACH, FIRM_REACH = 0.93, 0.9985
 """Shares of its full length up to which a swinging leg goes freely: in mid-swing, and near the ends."""
-WITHIN = 0.001
-"""How much less than foot.landing_reach and leaving_reach a leg has in its swing."""
 YIELDS = 0.45
 """How much less than its full length a runner's leg is let come to, in what it may reach less: straight knees pop."""
+BENT = 1.15
+"""Length of a swinging leg, in shortest ones, from which on it resists to be bent more."""
 FREE_ENDS = 0.25
 """Share of the swing, at either end, over which the first gives way to the second: as far as a standing leg may reach."""
 KNEE_TURN, WITH_TOES = 0.6, 0.65
@@ -122,35 +122,32 @@ def _limited(length: float, free: float, full: float) -> float:
 
 
 @jit_borrowing
-def _flights(biped: Dimensions, footprints: Footprints, last: int, following: int) -> tuple[float, float]:
-    """What a leg may reach less, as a share, where it leaves for a flight, and where it lands from one; 0 without a flight."""
-    contact, stance = footprints.contact_time, footprints.stance_time
-    leaves = contact[last] + stance[last] < contact[last + 1]
-    lands = contact[following - 1] + stance[following - 1] < contact[following]
-    full = FIRM_REACH + WITHIN
-    leaving = full - foot.leaving_reach(biped, footprints, last + 1) if leaves else 0.0
-    return leaving, (full - foot.landing_reach(biped, footprints, following) if lands else 0.0)
+def _kept_back(biped: Dimensions, footprints: Footprints, last: int, following: int) -> tuple[float, float]:
+    """Shares of its reach that a swinging leg does not take, as it leaves and as it lands (motion.track.foot)."""
+    return 1 - foot.leaving_reach(biped, footprints, last + 1), 1 - foot.landing_reach(biped, footprints, following)
 
 
 @jit_borrowing
-def _leg_length(biped: Dimensions, length: float, s: float, flies: tuple[float, float]) -> float:
+def _leg_length(biped: Dimensions, length: float, s: float, kept: tuple[float, float]) -> float:
     """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent."""
     full, shortest = biped.leg.max_length, biped.leg.min_length
     calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
-    if length < shortest:
-        return length + calm * (shortest - length)
-    less = flies[0] * smoothstep(1 - 2 * s) + flies[1] * smoothstep(2 * s - 1)
+    bent = BENT * shortest
+    if length < bent:
+        least = shortest + (bent - shortest) * np.exp((length - bent) / (bent - shortest))
+        return length + calm * (least - length)
+    less = kept[0] * smoothstep(1 - 2 * s) + kept[1] * smoothstep(2 * s - 1)
     near = _limited(length, (FIRM_REACH - less) * full, (1 - YIELDS * less) * full)
     return near + calm * (_limited(length, FREE_REACH * full, full) - near)
 
 
 @jit_inline
-def _keep_in_reach(biped: Dimensions, hip: Triple, s: float, flies: tuple[float, float], pose: Pose, c: int, leg: int) -> None:
+def _keep_in_reach(biped: Dimensions, hip: Triple, s: float, kept: tuple[float, float], pose: Pose, c: int, leg: int) -> None:
     """Draws a swinging foot along the line to its hip, so that its leg is never longer or more bent than it can be."""
     ankle = pose.ankle[c, leg]
     x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
     length = max(np.sqrt(x * x + y * y + z * z), 1e-6)
-    _move(pose, c, leg, _leg_length(biped, length, s, flies) / length - 1, (x, y, z))
+    _move(pose, c, leg, _leg_length(biped, length, s, kept) / length - 1, (x, y, z))
 
 
 @jit_inline
@@ -163,9 +160,10 @@ def _keep_below(biped: Dimensions, hip: Triple, s: float, pose: Pose, c: int, le
     shortest, ankle = biped.leg.min_length, pose.ankle[c, leg]
     x, y = ankle[0] - hip[0], ankle[1] - hip[1]
     lack = shortest * (1 - (x * x + y * y) / (UNDER_HIP * shortest) ** 2) - (hip[2] - ankle[2])
-    if lack > 0:
+    soft = (BENT - 1) * shortest
+    if lack > -soft:
         calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
-        _move(pose, c, leg, calm * lack, (0.0, 0.0, -1.0))
+        _move(pose, c, leg, calm * (lack if lack > soft else (lack + soft) ** 2 / (4 * soft)), (0.0, 0.0, -1.0))
 
 
 @jit_inline
@@ -180,7 +178,7 @@ def _swing(biped: Dimensions, footprints: Footprints, leg: int, yaw: float, t: f
     hip = (pose.hip[c, leg, 0], pose.hip[c, leg, 1], pose.hip[c, leg, 2])
     _carry(biped, hip, yaw, swing.swing_time(footprints, last, following), s, pose, c, leg)
     _keep_below(biped, hip, s, pose, c, leg)
-    _keep_in_reach(biped, hip, s, _flights(biped, footprints, last, following), pose, c, leg)
+    _keep_in_reach(biped, hip, s, _kept_back(biped, footprints, last, following), pose, c, leg)
     return toes
 
 

@@ -10,11 +10,11 @@ before and after it (motion.pose.swing).
 from math import cos, sin
 from typing import Any
 
-from motion.arithmetic.gravity import pendulum_time
+from motion.arithmetic.gravity import GRAVITY
 from motion.arithmetic.smooth import smoothstep
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import LEFT, Footprints
+from motion.track.footprints import LEFT, Footprints, rise, step_length
 from worlds.compiled.jit import jit_borrowing, jit_inline
 
 RUN_DUTY, WALK_DUTY = 0.4, 0.55
@@ -27,9 +27,9 @@ FULL_REACH = 0.9985
 """Share of max_length from which on reach counts: the penalty gives a little, the leg shall not."""
 LOADING_ENDS, PUSH_BEGINS = 0.6, 0.75
 """Shares of the stance: until when a leg gives to the load, and from when on it bends to leave."""
-LANDING, LEAVING, SOFTER, LEAST_REACH = 0.985, 0.99, 0.06, 0.94
-"""Shares of its reach that a leg has when it lands from a flight, as it must be able to give, and when it leaves for one; how
-much less by the speed of the fall, in sqrt(g l); and the least."""
+CALM, LANDING, LEAVING, LEAST_REACH = 0.2, 0.085, 0.06, 0.94
+"""Rate of a leg's length, in sqrt(g l), from which on less than its whole reach is taken; by which share of it less for each
+sqrt(g l), where it lands and where it leaves; the least that it has."""
 
 
 @jit_borrowing
@@ -205,18 +205,34 @@ def nominal_at(biped: Dimensions, footprints: Footprints, n: int, u: float) -> f
 
 @jit_borrowing
 def landing_reach(biped: Dimensions, footprints: Footprints, n: int) -> float:
-    """Share of its reach that a leg may have when it lands on footprint n from a flight: less, the higher that was."""
-    return max(LANDING - SOFTER * _fall(biped, footprints, n), LEAST_REACH)
+    """Share of its reach that a leg may have when it lands on footprint n.
+
+    A knee next to straight turns fast for little: it snaps where the leg's length l changes its rate v at once. Braking v takes
+    v^2 / 2a, so that much of the leg is kept for it.
+    """
+    return _reach(biped, LANDING, _rate(biped, footprints, n, max(-rise(footprints, n), 0.0)))
 
 
 @jit_borrowing
 def leaving_reach(biped: Dimensions, footprints: Footprints, n: int) -> float:
-    """The same when it leaves for the flight to footprint n."""
-    return max(LEAVING - SOFTER * _fall(biped, footprints, n), LEAST_REACH)
+    """The same of the leg that it leaves for footprint n."""
+    return _reach(biped, LEAVING, _rate(biped, footprints, n, max(rise(footprints, n), 0.0)))
 
 
 @jit_borrowing
-def _fall(biped: Dimensions, footprints: Footprints, n: int) -> float:
-    """How fast one lands on footprint n from the flight before it, on the level: g t / 2 over sqrt(g l)."""
-    flight = footprints.contact_time[n] - footprints.contact_time[n - 1] - footprints.stance_time[n - 1]
-    return 0.5 * max(flight, 0.0) / pendulum_time(biped.leg.nominal_length)
+def _reach(biped: Dimensions, less: float, rate: float) -> float:
+    return max(1 - less * max(rate / (GRAVITY * biped.leg.nominal_length) ** 0.5 - CALM, 0.0), LEAST_REACH)
+
+
+@jit_borrowing
+def _rate(biped: Dimensions, footprints: Footprints, n: int, height: float) -> float:
+    """How fast [m/s] a leg gets longer before it leaves for footprint n, or shorter once it has landed there.
+
+    Its share of the body's way ahead, as it stands aslant, and of what the body falls or rises: g t / 2 beside a flight of t
+    seconds, and the height [m] between the footprints, at twice its mean rate: it falls late in a step, and rises early.
+    """
+    time = max(footprints.contact_time[n] - footprints.contact_time[n - 1], 1e-3)
+    flight = max(time - footprints.stance_time[n - 1], 0.0)
+    length = step_length(footprints, n)
+    slant = min(0.5 * length * (1 - flight / time) / biped.leg.nominal_length, 1.0)
+    return length / time * slant + (0.5 * GRAVITY * flight + 1.5 * height / time) * (1 - slant * slant) ** 0.5

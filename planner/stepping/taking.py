@@ -13,6 +13,9 @@ from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
 
+STOPS = 0.3
+"""Share of the sole ahead of its middle where a foot presses first when it stops the body. Over the middle alone an upright body
+comes to rest only as fast as it would fall; people's toes brake it (Jian, Winter, Ishac, Gilchrist 1993)."""
 START_OVERLAP = 0.6
 """Shift of weight before the first step from standing, in pendulum times of the hip's height."""
 
@@ -54,13 +57,23 @@ def take_step(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: 
 def _roll(biped: Dimensions, footprints: Footprints, n: int) -> None:
     """Where the support begins on footprint n and ends on n - 1: heel to toe forward, toe to heel backward, else between."""
     ahead, begin = 0.0, 0.5
-    if not footprints.stands[n]:
+    if footprints.stands[n]:
+        _brake(footprints, n - 1)
+    else:
         start, goal = footprints.position[n - 1], footprints.position[n]
         ahead = forwardness(start, goal, footprints.heading[n])
         footprints.roll[n - 1, 1] = 0.5 + 0.5 * forwardness(start, goal, footprints.heading[n - 1])
         begin = landing_share(biped, footprints, n, ahead)
     footprints.roll[n, 0] = begin
     footprints.roll[n, 1] = 0.5 + 0.5 * ahead
+
+
+@jit_borrowing
+def _brake(footprints: Footprints, n: int) -> None:
+    """The support on footprint n, after which one stands, begins ahead of its middle on the way that its foot came."""
+    if n >= 2 and not footprints.stands[n] and footprints.side[n] == footprints.side[n - 2]:
+        came = forwardness(footprints.position[n - 2], footprints.position[n], footprints.heading[n])
+        footprints.roll[n, 0] = max(min(0.5 + STOPS * came, 1.0), 0.0)
 
 
 @jit_borrowing
