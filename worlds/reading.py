@@ -1,18 +1,16 @@
 """Reading files that people write: TOML in, checked data out, every fault of a file in one report."""
 
-import difflib
 import os
-import re
 import select
 import stat
 import tomllib
-from collections.abc import Iterable
 from pathlib import Path
-from typing import Any, TypeVar, get_args
+from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 
 from worlds.errors import InputError
+from worlds.errors.wording import faults_of, nearest
 
 LARGEST_FILE = 2_000_000
 """Bytes: these files are written by a person; anything larger is something else."""
@@ -93,7 +91,7 @@ def checked(path: Path | str, plain: dict, model: type[Model]) -> Model:
     try:
         return model.model_validate(plain)
     except ValidationError as error:
-        raise InputError("\n".join(f"{path}: {_fault(one, model)}" for one in error.errors())) from None
+        raise InputError("\n".join(f"{path}: {said}" for said in faults_of(error, model))) from None
 
 
 def read_toml(path: Path, what: str, needs: str) -> dict:
@@ -130,43 +128,6 @@ def _values(path: Path, text: str) -> dict:
         raise InputError(f"{path}: is not a TOML text file: {error}{remedy}") from None
     except RecursionError:
         raise InputError(f"{path}: is nested too deeply; a file of ours has tables in lists, and no more") from None
-
-
-def nearest(word: str, known: Iterable[str]) -> str:
-    """ ", did you mean X?" for the known word that a misspelt one is nearest to; nothing where none is near."""
-    found = difflib.get_close_matches(word, list(known), 1, 0.6)
-    return f"; did you mean {found[0]}?" if found else ""
-
-
-def _fault(one: Any, model: type[BaseModel]) -> str:
-    key = ".".join(str(part) for part in one["loc"])
-    if one["type"] == "extra_forbidden":
-        return f"{key}: unknown key{nearest(str(one['loc'][-1]), _keys_at(model, one['loc'][:-1]))}"
-    if one["type"] == "missing":
-        return f"{key}: is missing"
-    value = repr(one["input"])
-    said = f"{key} = {value if len(value) < 60 else value[:57] + '...'}: {one['msg']}"
-    if one["type"] == "literal_error":
-        said += nearest(str(one["input"]), re.findall(r"'([^']*)'", one["ctx"]["expected"]))
-    return said
-
-
-def _keys_at(model: type[BaseModel], place: tuple) -> list[str]:
-    """The keys of the table at this place of a model."""
-    for part in place:
-        if isinstance(part, str) and part in model.model_fields:
-            inner = _table_in(model.model_fields[part].annotation)
-            if inner is None:
-                return []
-            model = inner
-    return list(model.model_fields)
-
-
-def _table_in(annotation: Any) -> type[BaseModel] | None:
-    """The model that a field holds, by itself, in a list, or where it is not left out."""
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return annotation
-    return next((found for part in get_args(annotation) if (found := _table_in(part))), None)
 
 
 def content_of(path: Path, most: int) -> bytes | None:

@@ -7,7 +7,7 @@ import numpy as np
 
 from planner.stepping import random
 from worlds.errors import InputError
-from worlds.reading import nearest
+from worlds.errors.wording import nearest
 
 STAND, TURN, CREEP, WALK, RUN = range(5)
 PACES = ("stand", "turn", "creep", "walk", "run")

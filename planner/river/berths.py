@@ -12,7 +12,8 @@ import numpy as np
 from motion.characters.character import Character
 from planner.planner import fault_of_place
 from planner.river.crossing import GOAL, Country
-from planner.river.land import SPACING, Ways, land_for
+from planner.river.grid import SPACING
+from planner.river.land import Ways, land_for
 from planner.river.route import path_over_land
 from planner.round.reservations import STRAY
 from planner.stepping.strides import along
@@ -117,7 +118,7 @@ def _places(cast: Cast, first: Place, heading: float, cells: np.ndarray, back: W
 def _entry(world: World, character: Character) -> Place:
     """Where the first one enters the water, or the goal where there is none on its way. Raises NoWay."""
     goal = world.goal or world.start
-    country = Country(world, character, [goal])
+    country = Country(world, character)
     then = path_over_land(country, world.start, goal)[1]
     x, y = goal if then.spot == GOAL else country.spots.place[then.spot, :2].tolist()
     return x, y
@@ -140,11 +141,11 @@ def starts(world: World, characters: list[Character]) -> np.ndarray:
     return np.column_stack([found, np.full(len(found), world.start_heading)])
 
 
-def ends(world: World, characters: list[Character], goal: Place) -> np.ndarray:
-    """(C, 2) places to come to rest, around the goal: the farther from the start, the earlier. Raises InputError."""
+def ends(world: World, characters: list[Character], goal: Place, came: Place) -> np.ndarray:
+    """(C, 2) places to come to rest, around the goal: the farther from where they came, the earlier. Raises InputError."""
     if len(characters) == 1:
         return np.array([goal], np.float64)
-    cast, way = _cast(world, characters), np.subtract(goal, world.start)
+    cast, way = _cast(world, characters), np.subtract(goal, came)
     ways = land_for(world, cast.largest).ways_from(*goal)
     cells = np.zeros((0, 2)) if ways is None else _by_distance(ways, ways.distance)
     found = _places(cast, goal, float(np.arctan2(way[1], way[0])), cells)

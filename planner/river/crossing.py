@@ -5,54 +5,32 @@ way; over water it steps from spot to spot.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from motion.characters.character import Character
 from planner.planner import NoWay
-from planner.river import search
+from planner.river import moves, search
 from planner.river.land import Ways, land_for
 from planner.river.search import State
 from planner.river.spots import Spots
 from planner.stepping.beside import Place
-from worlds.errors import InputError
 from worlds.world import World
 
 START, GOAL = -1, -2
 MOST_BANKS = 2000
 """Places along the banks among which the narrowest gap is looked for."""
-MOST_WORK = 2e8
-"""Places on banks times cells of land: shortest ways from all to all take 0.1 microseconds for each."""
 
 
 class Country:
-    """What the routes of one kind of character to some goals are looked for on: spots, land, and how far it is over it."""
+    """What the routes of one kind of character are looked for on: spots, and land."""
 
-    def __init__(self, world: World, character: Character, goals: list[Place]) -> None:
+    def __init__(self, world: World, character: Character) -> None:
         """Raises InputError for a world too large, or with too many places."""
-        self.world, self.character, self.goals = world, character, goals
+        self.world, self.character = world, character
         self.spots, self.land = Spots.of(world, character), land_for(world, character)
-        self.banks = np.flatnonzero(self.spots.rock < 0)
-        cells = self.land.free.size
-        if len(self.banks) * cells > MOST_WORK:
-            raise InputError(
-                f"{world.name}: {len(self.banks)} places on banks times {cells} cells of land; {MOST_WORK:.2g} at most: a "
-                "way is found over shorter rivers, or in a smaller world"
-            )
-        places = [*self.spots.place[self.banks, :2].tolist(), *goals]
-        self.cells = [self.land.cell(x, y) for x, y in places]
+        self.cells = [self.land.cell(x, y) if self.spots.rock[k] < 0 else None for k, (x, y, _) in enumerate(self.spots.place)]
         self._ways: dict[int, Ways | None] = {}
-
-    @cached_property
-    def lengths(self) -> np.ndarray:
-        """(B, B + G) metres over land from each bank spot to each, and to the goals; infinite where no way leads."""
-        found = np.full((len(self.banks), len(self.cells)), np.inf)
-        for k, spot in enumerate(self.banks):
-            ways = self.land.ways_from(*self.spots.place[spot, :2].tolist())
-            if ways is not None:
-                found[k] = ways.lengths(self.cells)
-        return found
 
     def ways_from(self, spot: int) -> Ways | None:
         """Ways over land from a bank spot that lies on a route: they take the memory of all cells."""
@@ -80,22 +58,13 @@ class Crossing:
         """Ways over land from a bank spot, or from the start."""
         return self._ways if spot == START else self.country.ways_from(spot)
 
-    def _walks(self) -> np.ndarray:
-        """(K + 1, K + 1) seconds over land between bank spots; the last row is the start, the last column the goal."""
-        k, banks, goal = len(self.spots.rock), self.country.banks, self.country.goals.index(self.goal)
-        to = [*range(len(banks)), len(banks) + goal]
-        metres = np.full((k + 1, k + 1), np.inf)
-        metres[np.ix_(banks, np.append(banks, k))] = self.country.lengths[:, to]
-        if self._ways is not None:
-            metres[k, [*banks, k]] = self._ways.lengths(self.country.cells)[to]
-        return metres * float(search.slowest_pace(self.character.biped))
-
     def run(self) -> list[State]:
         """States from first to goal. Raises NoWay."""
         place = np.vstack([self.spots.place, [(*self.source, 0.0), (*self.goal, 0.0)]])
-        k = len(self.spots.rock)
-        spots = search.Spots(place, self.spots.rock, self._walks())
-        states, reached = search.find(self.character.biped, spots, self.on_spot if self.on_spot >= 0 else k, self.foot)
+        k, cells = len(self.spots.rock), [*self.country.cells, self.land.cell(*self.source), self.land.cell(*self.goal)]
+        spots = moves.Spots(place, self.spots.rock, np.array([cell or (-1, -1) for cell in cells]))
+        start = self.on_spot if self.on_spot >= 0 else k
+        states, reached = search.find(self.character.biped, spots, self.land.grid, start, self.foot)
         if not len(states):
             raise self._no_way(set(np.flatnonzero(reached[:-2]).tolist()))
         name = {k: START, k + 1: GOAL}

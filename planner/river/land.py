@@ -1,94 +1,23 @@
 """Ways over land: a grid of places with room for the body, shortest ways on it, pulled straight and rounded."""
 
 from dataclasses import dataclass
-from heapq import heappop, heappush
-from typing import NamedTuple
 
 import numpy as np
 
 from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
-from planner.stepping.footing import is_steep
+from planner.river.grid import NEAR, SPACING, Grid, dijkstra, empty_grid, lay_out
 from planner.stepping.strides import along
 from worlds import queries
 from worlds.arrays import WorldArrays
-from worlds.compiled.jit import jit
 from worlds.errors import InputError
 from worlds.world import World
 
 Place = tuple[float, float]
-NEAR = 1.5
-"""A point belongs to the free cell nearest to it, within this distance [m]."""
 MARGIN = 0.08
 """Kept beyond the body's radius [m]."""
-SPACING = 0.4
-"""Edge of a cell [m]: smaller finds narrower ways and takes longer."""
-
-
 MOST_CELLS = 8_000_000
 """Of the grid: a way needs some 30 bytes for each."""
-
-
-@jit
-def _can_rise(world: WorldArrays, land: "Ground", a: tuple[int, int], z: tuple[int, int]) -> bool:
-    """Whether the ground rises or falls from cell a to cell z by no more than a step does, or than two short steps do."""
-    low, high = land.height[a[0], a[1]], land.height[z[0], z[1]]
-    if -land.max_drop <= high - low <= land.max_rise:
-        return True
-    x, y = 0.5 * (a[1] + z[1] + 1) * SPACING, 0.5 * (a[0] + z[0] + 1) * SPACING
-    between = queries.terrain_height(world, x, y)
-    first, second = between - low, high - between
-    return -land.max_drop <= min(first, second) and max(first, second) <= land.max_rise
-
-
-@jit
-def _dijkstra(world: WorldArrays, land: "Ground", row: int, column: int) -> tuple[np.ndarray, np.ndarray]:
-    """Shortest ways over free cells (rows, columns) from one cell: lengths in cells and each cell's parent (row, column)."""
-    free = land.free
-    rows, columns = free.shape
-    distance = np.full((rows, columns), np.inf)
-    parent = np.full((rows, columns, 2), -1)
-    distance[row, column] = 0.0
-    heap = [(0.0, row, column)]
-    while heap:
-        d, i, j = heappop(heap)
-        if d > distance[i, j]:
-            continue
-        for k in range(max(i - 1, 0), min(i + 2, rows)):
-            for m in range(max(j - 1, 0), min(j + 2, columns)):
-                new = d + ((k - i) ** 2 + (m - j) ** 2) ** 0.5
-                if free[k, m] and new < distance[k, m] - 1e-12 and _can_rise(world, land, (i, j), (k, m)):
-                    distance[k, m] = new
-                    parent[k, m, 0], parent[k, m, 1] = i, j
-                    heappush(heap, (new, k, m))
-    return distance, parent
-
-
-@jit
-def _lay_out(biped: Dimensions, world: WorldArrays, margin: float, free: np.ndarray, height: np.ndarray) -> None:
-    """Fills free (rows, columns), whether there is `margin` [m] around a cell's middle, and the height of the ground."""
-    rows, columns = free.shape
-    for i in range(rows):
-        for j in range(columns):
-            x, y = (j + 0.5) * SPACING, (i + 0.5) * SPACING
-            free[i, j] = queries.clearance(world, x, y) >= margin and not is_steep(biped, world, x, y)
-            height[i, j] = queries.terrain_height(world, x, y)
-    for rock in world.rocks:
-        reach = rock[2] + margin
-        for i in range(max(int((rock[1] - reach) / SPACING), 0), min(int((rock[1] + reach) / SPACING) + 1, rows)):
-            for j in range(max(int((rock[0] - reach) / SPACING), 0), min(int((rock[0] + reach) / SPACING) + 1, columns)):
-                x, y = (j + 0.5) * SPACING, (i + 0.5) * SPACING
-                if ((x - rock[0]) ** 2 + (y - rock[1]) ** 2) ** 0.5 - rock[2] < margin:
-                    free[i, j] = False
-
-
-class Ground(NamedTuple):
-    """What ways are found on."""
-
-    free: np.ndarray  # (rows, columns) bool, cell centres SPACING apart
-    height: np.ndarray  # (rows, columns) [m]
-    max_rise: float  # from cell to cell [m]
-    max_drop: float
 
 
 @dataclass
@@ -96,7 +25,7 @@ class Land:
     """Where a character can walk."""
 
     world: World
-    ground: Ground
+    grid: Grid
     margin: float
 
     @classmethod
@@ -106,14 +35,14 @@ class Land:
         if rows * columns > MOST_CELLS:
             most = f"{MOST_CELLS * SPACING**2:.3g} square metres"
             raise InputError(f"{world.name}: {world.size[0]:g} x {world.size[1]:g} m; a way is found in {most} at most")
-        free, height = np.empty((rows, columns), np.bool_), np.empty((rows, columns))
-        _lay_out(biped, world.arrays, margin, free, height)
-        return cls(world, Ground(free, height, float(biped.reach.max_rise), float(biped.reach.max_drop)), margin)
+        grid = empty_grid(rows, columns)
+        lay_out(biped, world.arrays, margin, grid)
+        return cls(world, grid, margin)
 
     @property
     def free(self) -> np.ndarray:
         """(rows, columns) bool."""
-        return self.ground.free
+        return self.grid.free
 
     def cell(self, x: float, y: float) -> tuple[int, int] | None:
         """The free cell nearest to a point, none within NEAR."""
@@ -131,7 +60,7 @@ class Land:
         source = self.cell(x, y)
         if source is None:
             return None
-        distance, parent = _dijkstra(self.world.arrays, self.ground, source[0], source[1])
+        distance, parent = dijkstra(self.grid, source[0], source[1])
         return Ways(self, (x, y), distance * SPACING, parent)
 
 

@@ -4,9 +4,10 @@ A route is taken to the letter, so who cannot go on stands. It does not begin wh
 stances in which one can wait lies a block of one step on land, or of all the leaps in a row from rock to rock. A block is begun
 when every sole of it, and the way of the body, are clear of what the others hold, and of where one goes who is within a block.
 
-They go in the order of their numbers: nobody comes to rest in the way that one before it has still to go. So the first of those
-who are not across yet finds its way free, whatever the others do: nobody waits forever, where they begin out of each other's
-ways (planner.river.berths). Ashore on the other side each walks on by itself, around the others, to its own place.
+They go in turn: nobody comes to rest in the way that one before it has still to go. So the first of those who are not across
+yet finds its way free, whatever the others do: nobody waits forever, where they begin out of each other's ways
+(planner.river.berths). At first they go in the order of their numbers; where a change of the world finds them on their ways,
+whoever has the least to go is the first. Ashore on the other side each walks on by itself, around the others, to its own place.
 """
 
 from math import hypot, inf
@@ -52,6 +53,7 @@ class Routes(NamedTuple):
     steps: Any  # (C, R) records of STEP
     stops: np.ndarray  # (C, R) bool: one can wait on this footprint and the one before
     ashore: np.ndarray  # (C,) from which footprint on all lie on land
+    turn: np.ndarray  # (C,) who has a lesser one goes first
     walks: np.ndarray  # (C,) bool: ashore, among others: around them, and the route only tells the way
     ends: np.ndarray  # (C, 2) where each is to come to rest [m]
     goal: np.ndarray  # (C, 2) the world's goal when that was decided [m]
@@ -75,6 +77,7 @@ def empty_routes(characters: int, steps: int) -> Routes:
         steps=np.zeros((c, max(steps, 2)), STEP),
         stops=np.ones((c, max(steps, 2)), np.bool_),
         ashore=np.ones(c, np.int64),
+        turn=np.arange(c),
         walks=np.zeros(c, np.bool_),
         ends=np.zeros((c, 2)),
         goal=np.zeros((c, 2)),
@@ -210,7 +213,7 @@ def _is_clear(round: Round, me: Me, at: int) -> bool:
     x, y = held.path[me.c, rest, 0], held.path[me.c, rest, 1]
     for j in range(len(held.due)):
         near = hypot(held.path[j, rest, 0] - x, held.path[j, rest, 1] - y) < held.reach
-        if j < me.c and not _leaves_way(round, me, at, j):
+        if round.plans.turn[j] < round.plans.turn[me.c] and not _leaves_way(round, me, at, j):
             return False
         if j != me.c and near and not _is_clear_of(round, me, at, j):
             return False

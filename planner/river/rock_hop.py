@@ -1,5 +1,7 @@
 """The planner of river crossers: a route for everyone, found once and again whenever the world or goal changes."""
 
+from math import hypot
+
 import numpy as np
 
 from motion.characters.character import Character
@@ -38,22 +40,27 @@ class RockHop:
         kinds = {id(one.biped): one for one in characters}
         for kind in kinds.values():
             check_goal(world, kind)
-        ends = self._ends(situation)
-        goals = [world.goal or world.start, *((float(x), float(y)) for x, y in ends)]
-        countries = {key: Country(world, kind, goals) for key, kind in kinds.items()}
-        paths = self._paths(situation, countries)
-        found = []
-        for c, character in enumerate(characters):
-            feet, key = picked(situation.feet, c), id(character.biped)
-            place = (float(ends[c, 0]), float(ends[c, 1]))
-            found.append([*_under(feet), *route(countries[key], feet, place, paths.get(key))])
-        plans = empty_routes(len(characters), max(len(steps) for steps in found))._replace(ends=ends)
+        countries = {key: Country(world, kind) for key, kind in kinds.items()}
+        turn, ends = self._in_turn(situation, countries)
+        found = self._routes(situation, countries, ends)
+        if situation.before is not None:
+            turn = _by_length(found)
+        plans = empty_routes(len(characters), max(len(steps) for steps in found))._replace(ends=ends, turn=turn)
         plans.goal[:] = world.goal or world.start
         for c, steps in enumerate(found):
             plans.steps[c, : len(steps)] = np.array(steps, STEP)
             plans.length[c], plans.stops[c, : len(steps)] = len(steps), stops_of(steps, characters[c].biped)
             plans.ashore[c] = ashore_of(world, steps)
         return plans
+
+    def _routes(self, situation: Situation, countries: dict[int, Country], ends: np.ndarray) -> list[list[Step]]:
+        """Each one's steps to where it comes to rest, ends (C, 2), with the two that it stands on. Raises NoWay."""
+        paths, found = self._paths(situation, countries), []
+        for c, character in enumerate(situation.characters):
+            feet, key = picked(situation.feet, c), id(character.biped)
+            place = (float(ends[c, 0]), float(ends[c, 1]))
+            found.append([*_under(feet), *route(countries[key], feet, place, paths.get(key))])
+        return found
 
     def _paths(self, situation: Situation, countries: dict[int, Country]) -> dict[int, list[State]]:
         """Those who begin together cross in one file, the way of the first of their kind. Raises NoWay."""
@@ -62,13 +69,21 @@ class RockHop:
         world = situation.world
         return {key: path_over_land(country, world.start, world.goal or world.start) for key, country in countries.items()}
 
-    def _ends(self, situation: Situation) -> np.ndarray:
-        """(C, 2) where each comes to rest: where it was to before, unless the goal is another one."""
-        world, before = situation.world, situation.before
-        goal = world.goal or world.start
+    def _in_turn(self, situation: Situation, countries: dict[int, Country]) -> tuple[np.ndarray, np.ndarray]:
+        """(C,) who goes first, and (C, 2) where each comes to rest: where it was to before, unless the goal is another one.
+
+        Whoever has the least to go to another goal goes first, and farthest beyond the water.
+        """
+        world, before, count = situation.world, situation.before, len(situation.characters)
+        goal, turn = world.goal or world.start, np.arange(count)
         if before is not None and (before.goal == goal).all():
-            return before.ends
-        return berths.ends(world, situation.characters, goal)
+            return before.turn, before.ends
+        came = world.start
+        if before is not None and count > 1:
+            turn = _by_length(self._routes(situation, countries, np.tile(goal, (count, 1))))
+            middle = situation.feet.position[:, :, :2].mean(axis=(0, 1))
+            came = (float(middle[0]), float(middle[1]))
+        return turn, berths.ends(world, situation.characters, goal, came)[turn]
 
     def arrived(self, plans: Routes) -> np.ndarray:
         """(C,) whether each is at the end of its route."""
@@ -79,12 +94,22 @@ class RockHop:
         rows = plans.steps.shape[1]
         if plans.stops.shape != plans.steps.shape or not 2 <= plans.length.min() <= plans.length.max() <= rows:
             raise ValueError("plans: routes longer than their steps")
+        if (np.sort(plans.turn) != np.arange(characters)).any():
+            raise ValueError("plans: a turn for each is needed")
         if (plans.ashore < 1).any() or (plans.at < 1).any() or (plans.at >= plans.length).any():
             raise ValueError("plans: beyond the ends of routes")
 
     def values(self) -> dict:
         """It is made of nothing."""
         return {}
+
+
+def _by_length(routes: list[list[Step]]) -> np.ndarray:
+    """(C,) the turn of each by the length of its route: the shortest is the first."""
+    lengths = [sum(hypot(z.x - a.x, z.y - a.y) for a, z in zip(steps, steps[1:], strict=False)) for steps in routes]
+    turn = np.empty(len(routes), np.int64)
+    turn[np.argsort(lengths, kind="stable")] = np.arange(len(routes))
+    return turn
 
 
 def _under(feet: Footprints) -> list[Step]:

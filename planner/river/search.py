@@ -1,37 +1,29 @@
-"""A* over (spot, spot before, foot, arrived): the kernel of rock hopping.
+"""A* over (spot, spot before, foot, arrived) and over cells of land: the kernel of rock hopping.
 
 `arrived` tells a bank spot that was stepped onto, from which one walks on over land, from one that was walked to, from which
-one steps onto the water's rocks. The heuristic, straight distance over the best ratio of distance to cost of any move, never
-overestimates, so the first route found costs least.
+one steps onto the water's rocks. Whoever walks is in a cell of land, wherever it came from: so ways from all banks to all
+others are looked for at once, and cost no more than those from one. The heuristic, straight distance over the best ratio of
+distance to cost of any move, never overestimates, and a state that is reached for less is looked at again, so the first route
+found costs least.
 """
 
 from heapq import heappop, heappush
-from math import atan2, hypot, sin
+from math import hypot
 from typing import NamedTuple
 
 import numpy as np
 
-from motion.arithmetic.angles import wrapped
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import LEFT
-from planner.stepping.timing import step_timing
+from planner.river.grid import NEAR, SPACING, Grid, may_go
+from planner.river.moves import Spots, can_step, directed_cost, fastest, slowest_pace
 from worlds.compiled.jit import jit
 
-SHARPEST = 2.2
-"""Largest angle between two steps in a row, in units of the character's max_turn: headings turn by half of it."""
-LONG, LONG_TURN = 1.3, 1.3
-"""The same after a step that is longer than this share of the preferred one: who leaps does not turn much."""
-LEAP_EFFORT, HOP_EFFORT, TURN_EFFORT, CLIMB_EFFORT, CROSSING_EFFORT = 0.6, 0.4, 0.3, 0.8, 1.5
-"""Seconds that effort is worth: a leap; a hop on one side; a radian of turn; a climb of the hip's height; a foot crossed by
-a preferred step."""
 
+class Beside(NamedTuple):
+    """Which spots belong to a cell of land: a chain."""
 
-class Spots(NamedTuple):
-    """K spots, and behind them the start and the goal."""
-
-    place: np.ndarray  # (K + 2, 3) [m]
-    rock: np.ndarray  # (K,) -1 on a bank
-    walks: np.ndarray  # (K + 1, K + 1) seconds over land from spot or start to spot or goal
+    first: np.ndarray  # (cells,) -1: none
+    following: np.ndarray  # (K + 2,) the one behind a spot; -1: none
 
 
 class State(NamedTuple):
@@ -44,112 +36,103 @@ class State(NamedTuple):
 
 
 class Search(NamedTuple):
-    """What is known so far, by the states' codes."""
+    """What is known so far, by codes: those of states, and behind them those of cells."""
 
     best: np.ndarray  # least cost [s]
     parent: np.ndarray  # code of the state before, -1 for none
-    done: np.ndarray  # bool
     speed: float  # fastest of any move [m/s]
 
 
 @jit
-def slowest_pace(biped: Dimensions) -> float:
-    """Seconds per metre of walking on land."""
-    stride = biped.gait.preferred_step
-    return step_timing(biped, stride, 0.0, 0.0, False)[0] / stride
-
-
-@jit
-def step_cost(biped: Dimensions, length: float, rise: float, turn: float, crossed: float, hop: bool) -> float:
-    """Cost of a step or of a hop on the same side [s]: its time, and what its effort is worth."""
-    effort = (LEAP_EFFORT if length > biped.reach.max_step else 0.0) + (HOP_EFFORT if hop else 0.0)
-    effort += TURN_EFFORT * turn + CLIMB_EFFORT * max(rise, 0.0) / biped.timing.hip_height
-    effort += CROSSING_EFFORT * crossed / biped.gait.preferred_step
-    return step_timing(biped, length, rise, 0.5 * turn, hop)[0] + effort
-
-
-@jit
-def fastest(biped: Dimensions) -> float:
-    """Largest distance per cost [m/s] of any step or walk."""
-    best = 1 / slowest_pace(biped)
-    for k in range(1, 101):
-        length = biped.reach.max_leap * k / 100
-        for rise in (0.0, -biped.reach.max_drop):
-            for hop in (False, True):
-                best = max(best, length / step_cost(biped, length, rise, 0.0, 0.0, hop))
-    return best
-
-
-@jit
-def can_step(biped: Dimensions, spots: Spots, i: int, j: int) -> bool:
-    """Whether the character's reach allows a step from spot i to spot j, whatever the direction."""
-    place, reach = spots.place, biped.reach
-    length = hypot(place[j, 0] - place[i, 0], place[j, 1] - place[i, 1])
-    rise = place[j, 2] - place[i, 2]
-    if spots.rock[i] < 0 and spots.rock[j] < 0 and length < 0.5 * reach.max_step:
-        return False
-    return biped.foot.width <= length <= reach.max_leap and -reach.max_drop <= rise <= reach.max_rise
-
-
-@jit
-def directed_cost(biped: Dimensions, place: np.ndarray, before: int, i: int, j: int, foot: int, hop: bool) -> float:
-    """Cost of a step from spot i, where `foot` stands, to j, coming from `before` (-1: none); place (K, 3).
-
-    The other foot steps, or with `hop` the same one, no farther than a walking step. inf if it would turn too sharply or
-    cross the legs too far.
-    """
-    stride = biped.gait.preferred_step
-    dx, dy = place[j, 0] - place[i, 0], place[j, 1] - place[i, 1]
-    length = hypot(dx, dy)
-    ahead = atan2(dy, dx)
-    came = atan2(place[i, 1] - place[before, 1], place[i, 0] - place[before, 0]) if before >= 0 else ahead
-    turned = wrapped(ahead - came)
-    sharpest = LONG_TURN if length > LONG * stride else SHARPEST
-    if abs(turned) > (3.0 if length < 0.6 * stride else sharpest * biped.reach.max_turn):
-        return np.inf
-    across = length * sin(turned)
-    crossed = 0.0 if hop else max(across if foot == LEFT else -across, 0.0)
-    if crossed > 0.45 * stride or (hop and length > biped.reach.max_step):
-        return np.inf
-    return step_cost(biped, length, place[j, 2] - place[i, 2], abs(turned), crossed, hop)
-
-
-@jit
-def find(biped: Dimensions, spots: Spots, start: int, foot: int) -> tuple[np.ndarray, np.ndarray]:
+def find(biped: Dimensions, spots: Spots, land: Grid, start: int, foot: int) -> tuple[np.ndarray, np.ndarray]:
     """Cheapest states (S, 4) as State, and which spots were reached (K + 2,); no states: no way."""
-    k, heap = len(spots.rock), [(0.0, 0)]
+    k, heap, states = len(spots.rock), [(0.0, 0)], _states(len(spots.rock))
     heap.clear()
-    codes = (k + 2) * (k + 1) * 4
-    search = Search(np.full(codes, np.inf), np.full(codes, -1), np.zeros(codes, np.bool_), fastest(biped))
-    reached = np.zeros(k + 2, np.bool_)
+    size = states + land.free.size
+    search = Search(np.full(size, np.inf), np.full(size, -1, np.int32), fastest(biped))
+    reached, beside, pace = np.zeros(k + 2, np.bool_), _beside(spots, land), slowest_pace(biped)
     near = _near(biped, spots)
     first = _code(k, State(start, k, foot, 1))
     search.best[first] = 0.0
     heappush(heap, (_bound(spots.place, start, search.speed), first))
     while heap:
-        _, code = heappop(heap)
-        if search.done[code]:
+        bound, code = heappop(heap)
+        if code >= states:
+            if bound <= search.best[code] + _bound_of_cell(spots.place, land, code - states, search.speed):
+                _walk(search, heap, spots, land, beside, code - states, pace)
             continue
-        search.done[code] = True
         state = _state(k, code)
+        if bound > search.best[code] + _bound(spots.place, state.spot, search.speed):
+            continue
         reached[state.spot] = True
         if state.spot == k + 1:
             return _path(search.parent, code, k), reached
         if state.arrived and (state.spot == k or spots.rock[state.spot] < 0):
-            for j in range(k + 1):
-                if np.isfinite(spots.walks[state.spot, j]):
-                    for last in range(2):
-                        target = State(k + 1 if j == k else j, k, last, 0)
-                        _reach(search, heap, spots.place, code, target, spots.walks[state.spot, j])
+            if spots.cell[state.spot, 0] >= 0:
+                cell = spots.cell[state.spot, 0] * land.free.shape[1] + spots.cell[state.spot, 1]
+                _reach_cell(search, heap, spots.place, land, code, cell, 0.0)
         elif state.spot < k:
             for j in range(k):
                 if near[state.spot, j]:
-                    came = state.before if state.before < k else -1
-                    for hop in (False, True):
-                        cost = directed_cost(biped, spots.place, came, state.spot, j, state.foot, hop)
-                        target = State(j, state.spot, state.foot if hop else 1 - state.foot, 1)
-                        _reach(search, heap, spots.place, code, target, cost)
+                    _step(biped, search, heap, spots, code, j)
     return np.zeros((0, 4), np.int64), reached
+
+
+@jit
+def _step(biped: Dimensions, search: Search, heap: list, spots: Spots, code: int, j: int) -> None:
+    """From the state of a code to spot j: with the other foot, or by a hop."""
+    k, state = len(spots.rock), _state(len(spots.rock), code)
+    came = state.before if state.before < k else -1
+    for hop in (False, True):
+        cost = directed_cost(biped, spots.place, came, state.spot, j, state.foot, hop)
+        _reach(search, heap, spots.place, code, State(j, state.spot, state.foot if hop else 1 - state.foot, 1), cost)
+
+
+@jit
+def _walk(search: Search, heap: list, spots: Spots, land: Grid, beside: Beside, cell: int, pace: float) -> None:
+    """From a cell of land on: to those around it, and onto the spots that belong to it, on either foot."""
+    rows, columns = land.free.shape
+    k, i, j = len(spots.rock), cell // columns, cell % columns
+    code, spot = _states(k) + cell, beside.first[cell]
+    while spot >= 0:
+        for last in range(2):
+            _reach(search, heap, spots.place, code, State(spot, k, last, 0), 0.0)
+        spot = beside.following[spot]
+    for row in range(max(i - 1, 0), min(i + 2, rows)):
+        for column in range(max(j - 1, 0), min(j + 2, columns)):
+            if may_go(land, i, j, row, column):
+                far = ((row - i) ** 2 + (column - j) ** 2) ** 0.5 * SPACING
+                _reach_cell(search, heap, spots.place, land, code, row * columns + column, far * pace)
+
+
+@jit
+def _beside(spots: Spots, land: Grid) -> Beside:
+    """Which banks, and whether the goal, belong to which cells."""
+    k = len(spots.rock)
+    beside = Beside(np.full(land.free.size, -1, np.int32), np.full(k + 2, -1, np.int32))
+    for spot in range(k + 2):
+        if spots.cell[spot, 0] >= 0 and (spot == k + 1 or (spot < k and spots.rock[spot] < 0)):
+            cell = spots.cell[spot, 0] * land.free.shape[1] + spots.cell[spot, 1]
+            beside.following[spot], beside.first[cell] = beside.first[cell], spot
+    return beside
+
+
+@jit
+def _reach_cell(search: Search, heap: list, place: np.ndarray, land: Grid, code: int, cell: int, cost: float) -> None:
+    """A cell of land is reached from the state or cell of this code, at a cost [s]."""
+    following, total = _states(len(place) - 2) + cell, search.best[code] + cost
+    if total < search.best[following] - 1e-12:
+        search.best[following] = total
+        search.parent[following] = code
+        heappush(heap, (total + _bound_of_cell(place, land, cell, search.speed), following))
+
+
+@jit
+def _bound_of_cell(place: np.ndarray, land: Grid, cell: int, speed: float) -> float:
+    """Seconds from a cell to the goal at least; the goal lies up to NEAR beside its own."""
+    goal, columns = place[len(place) - 1], land.free.shape[1]
+    x, y = (cell % columns + 0.5) * SPACING, (cell // columns + 0.5) * SPACING
+    return max(hypot(x - goal[0], y - goal[1]) - NEAR, 0.0) / speed
 
 
 @jit
@@ -181,6 +164,12 @@ def _bound(place: np.ndarray, spot: int, speed: float) -> float:
 
 
 @jit
+def _states(k: int) -> int:
+    """How many codes states of k spots have."""
+    return (k + 2) * (k + 1) * 4
+
+
+@jit
 def _code(k: int, state: State) -> int:
     return ((state.spot * (k + 1) + state.before) * 2 + state.foot) * 2 + state.arrived
 
@@ -192,12 +181,15 @@ def _state(k: int, code: int) -> State:
 
 @jit
 def _path(parent: np.ndarray, code: int, k: int) -> np.ndarray:
+    """(S, 4) the states that lead to the one of this code; cells of land are left out."""
     count, at = 0, code
     while at >= 0:
-        count, at = count + 1, parent[at]
-    states = np.empty((count, 4), np.int64)
-    for row in range(count - 1, -1, -1):
-        state = _state(k, code)
-        states[row, 0], states[row, 1], states[row, 2], states[row, 3] = state.spot, state.before, state.foot, state.arrived
+        count, at = count + (at < _states(k)), parent[at]
+    states, row = np.empty((count, 4), np.int64), count
+    while code >= 0:
+        if code < _states(k):
+            row -= 1
+            state = _state(k, code)
+            states[row, 0], states[row, 1], states[row, 2], states[row, 3] = state.spot, state.before, state.foot, state.arrived
         code = parent[code]
     return states

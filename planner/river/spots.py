@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from motion.characters.character import Character
+from planner.stepping.random import BANKS, uniform
 from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.errors import InputError
@@ -20,6 +21,8 @@ MOST = 3500
 """Spots that a search takes: its memory grows with their square."""
 LEVEL = 1e-3
 """A rock reaches into a sole where its top is so much higher [m]."""
+MOST_BARE = 2500
+"""Places on the banks of long rivers from which leaps over open water are looked for: more are thinned out by chance."""
 BANK_SPACING = 0.3
 """Between spots along a bank [m]."""
 
@@ -40,15 +43,24 @@ class Spots:
         rocks = [spot for i, rock in enumerate(world.arrays.rocks) for spot in _on_rock(world, i, rock, sole)]
         banks = _on_banks(world, sole)
         rows = np.array(rocks, np.float64).reshape(-1, 4)
-        edge = banks[_near_any(banks, rows, leap)] if len(rows) else banks[:0]
-        if len(banks) <= MOST:
-            edge = banks[_near_any(banks, rows, leap) | _over_water(world, banks, leap)]
+        some = _thinned(banks)
+        leads = _near_any(banks, rows, leap)
+        leads[some] |= _over_water(world, banks[some], leap)
+        edge = banks[leads]
         if len(rows) + len(edge) > MOST:
             raise InputError(
                 f"{world.name}: {len(rows)} places on rocks and {len(edge)} on banks; a way is found among {MOST} at most"
             )
         place = np.vstack([rows[:, :3], edge])
         return cls(place, np.concatenate([rows[:, 3], np.full(len(edge), -1)]).astype(int), banks)
+
+
+def _thinned(banks: np.ndarray) -> np.ndarray:
+    """Numbers of at most about MOST_BARE of these places (B, 3), evenly by chance, the same ones each time."""
+    if len(banks) <= MOST_BARE:
+        return np.arange(len(banks))
+    share = MOST_BARE / len(banks)
+    return np.flatnonzero(np.array([uniform(0, 0, k, BANKS) < share for k in range(len(banks))], bool))
 
 
 def _near_any(banks: np.ndarray, rocks: np.ndarray, reach: float) -> np.ndarray:

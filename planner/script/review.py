@@ -41,6 +41,11 @@ def review(given: list[Footprint], character: Character, world: WorldArrays, nam
     wrong, ugly = ([one.said for one in found if one.wrong is kind] for kind in (True, False))
     if wrong:
         raise InputError("\n".join(f"{name}: {said}" for said in _shortened(wrong)))
+    return warned(ugly, name)
+
+
+def warned(ugly: list[str], name: str) -> list[str]:
+    """What will be ugly, once it is logged."""
     for said in _shortened(ugly):
         LOG.warning("%s: warning: %s", name, said)
     return ugly

@@ -13,8 +13,8 @@ from motion.pose.bones import INDEX
 from planner.script.laying import Laid
 from planner.script.turned import BoneKey
 from worlds.errors import InputError
+from worlds.errors.wording import nearest
 from worlds.ground import Finite, Part
-from worlds.reading import nearest
 
 Number = Annotated[int, Field(ge=0, le=40_000, strict=True)]
 """Of a footprint of the track, in the order in which they are walked, from 0."""

@@ -16,7 +16,7 @@ from sim.reports.cycles import people_of
 from sim.reports.measure import measure
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
-from worlds.reading import nearest
+from worlds.errors.wording import nearest
 
 
 def measured_run(options: Any) -> None:

@@ -9,7 +9,7 @@ from sim.export.clip.asked import Asked
 from sim.export.clip.clip import Clip
 from sim.export.endings import FORMATS, Format
 from worlds.errors import InputError
-from worlds.reading import nearest
+from worlds.errors.wording import nearest
 
 
 class Exporter(Protocol):

@@ -7,10 +7,14 @@ import numpy as np
 
 from motion.characters.character import Character
 from motion.track.footprints import Step
+from planner.crowd.apart import what_overlaps
 from sim.stage.command import Command, check_character
 from sim.stage.simulation import Simulation
 from worlds.errors import InputError
 from worlds.queries import clearance
+
+NEAR = 10.0
+"""Nobody's body reaches so far [m]."""
 
 
 @dataclass(frozen=True)
@@ -48,9 +52,23 @@ class Recast(Command):
         x, y = sim.feet().position[self.character, :, :2].mean(axis=0)
         if clearance(sim.world.arrays, x, y) < new.biped.body.radius:
             raise InputError(f"{new.name}: no room for its body at ({x:.2f}, {y:.2f}), where character {self.character} stands")
+        self._check_neighbours(sim, new)
         characters = [new if c == self.character else one for c, one in enumerate(sim.characters)]
         plans = sim.planner.prepare(sim.situation(sim.world)._replace(characters=characters))
         sim.recast(self.character, new, plans)
+
+    def _check_neighbours(self, sim: Simulation, new: Character) -> None:
+        """Raises InputError where a body that is larger than before reaches into somebody beside it."""
+        feet, before, now = sim.feet(), sim.characters[self.character].biped, new.biped
+        rests = np.column_stack([feet.position[:, :, :2].mean(axis=1), feet.heading[:, 1]])
+        mine = rests[self.character]
+        near = np.hypot(*(rests[:, :2] - mine[:2]).T) < NEAR
+        for c in np.flatnonzero(near):
+            if c == self.character or what_overlaps(before, mine, sim.characters[c].biped, rests[c]):
+                continue
+            if what_overlaps(now, mine, sim.characters[c].biped, rests[c]):
+                where = f"at ({mine[0]:.2f}, {mine[1]:.2f})"
+                raise InputError(f"{new.name}: no room {where}, where character {self.character} stands, beside character {c}")
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from sim.stage.command import Command
 from sim.stage.edits import PlantTree, PutRock, Remove, SetGoal
 from sim.stage.simulation import Simulation
 from worlds.errors import InputError
+from worlds.errors.wording import nearest
 
 _KINDS: list[type[Command]] = [
     PlantTree,
@@ -57,9 +58,10 @@ def steer(
 def from_plain(plain: dict) -> Command:
     """The command that `as_plain` described. Raises InputError."""
     values: dict[str, Any] = dict(plain)
-    kind = COMMANDS.get(str(values.pop("command", None)))
+    name = str(values.pop("command", None))
+    kind = COMMANDS.get(name)
     if kind is None:
-        raise InputError(f"{plain!r}: is no command; there are {', '.join(COMMANDS)}")
+        raise InputError(f"{plain!r}: is no command{nearest(name, COMMANDS)}; there are {', '.join(COMMANDS)}")
     needed = {field.name for field in fields(kind) if field.default is MISSING}
     known = {field.name for field in fields(kind)}
     if set(values) - known or needed - set(values):

@@ -9,8 +9,8 @@ import numpy as np
 from sim.stage.command import Command
 from sim.stage.simulation import Simulation
 from worlds.errors import InputError
+from worlds.errors.wording import nearest
 from worlds.queries import border_clearance, tree_clearance, wall_clearance, water_clearance
-from worlds.reading import nearest
 from worlds.world import World
 
 ROOM = 0.7

@@ -15,7 +15,7 @@ from motion.track.curve import Curve
 from motion.track.footprints import STEP, Footprints
 from planner.modes.steer import Steered
 from planner.modes.wander import Wander
-from planner.river import search
+from planner.river import grid, moves, search
 from planner.river.rock_hop import RockHop
 from planner.script import laying
 from planner.stepping import timing
@@ -34,7 +34,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
     crowd, bipeds, w, biped = cast.crowd, cast.bipeds, world.arrays, cast.bipeds[0]
     one, matrix, place = np.zeros(2, np.int64), np.zeros((2, 3)), (w, 0.0, 0.0)
     span, nothing = window.Span(0.0, 0.0, matrix, matrix, matrix), empty(Curve, 1)
-    spots = search.Spots(matrix, one, matrix)
+    spots, land = moves.Spots(matrix, one, np.zeros((2, 2), np.int64)), grid.empty_grid(1, 1)
     return {
         "window solve": [(rounds.optimise_step, ())],
         "placing footprints": [(rounds.plan_step, ())],
@@ -62,7 +62,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
             *((kernel, place) for kernel in (queries.clearance, queries.terrain_height, queries.in_water)),
         ],
         "stride law": [(timing.step_timing, (biped, 0.0, 0.0, 0.0, False, 0.0, True, 0.0))],
-        "route search": [(search.find, (biped, spots, 0, 0))],
+        "route search": [(search.find, (biped, spots, land, 0, 0))],
         "laying footprints": [(laying.lay_steps, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP), 0.0, 0.0))],
         "edited curves": [
             (window.optimise_track, (biped, empty(Footprints, 1), span, nothing, window.SCENE, newton.SCENE)),

@@ -10,7 +10,8 @@ from motion.motion import Motion
 from motion.pose.bones import Bones
 from motion.track.curve import Curve, Track
 from planner.script.acting import Act, act
-from planner.script.review import review
+from planner.script.meeting import trodden
+from planner.script.review import review, warned
 from planner.script.scene import Scene
 from planner.script.shaping import styled
 from planner.script.track import Track as Script
@@ -49,6 +50,7 @@ class Performance(Cast):
             for said in review(footprints_of(track, each), each, scene.world.arrays, name)
         ]
         acts = [act(track, each, scene.world, name, effort) for track, each, name in zip(scene.tracks, who, names, strict=True)]
+        self.warnings += warned(trodden(acts), scene.name)
         super().__init__(scene.world, who, 0, tick_rate, **room_for(acts, 1.0))
         self.scene = scene
         self.show(acts)

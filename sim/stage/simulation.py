@@ -11,6 +11,7 @@ import numpy as np
 
 from motion.characters.character import Character
 from motion.track.footprints import LEFT, RIGHT
+from planner.crowd.apart import check_apart
 from planner.planner import Planner, Situation, checked_starts
 from planner.round.kernel import ROUND
 from planner.round.refusals import nothing_refused, raise_refused
@@ -59,6 +60,7 @@ class Simulation(Cast):
 
     def _begin(self) -> None:
         starts = checked_starts(self.planner.starts(self.world, self.characters, self.seed), self.world, self.characters)
+        check_apart([one.biped for one in self.characters], starts)
         for c, (x, y, heading) in enumerate(starts.tolist()):
             self.stand_beside(c, (x, y), heading)
         # Footprint 2 is the right foot standing on: plans begin at footprint 3, when the left one is the older.

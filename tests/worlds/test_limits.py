@@ -102,9 +102,9 @@ WRONG = {
     "UTF-8": TOML.replace('"t"', '"ü"').encode("latin-1"),
     "C:/folder/file": (TOML + '[world.heightmap]\nfile = "C:\\users\\x.png"\n').encode(),
     "nested too deeply": (TOML + "tree = " + "[" * 9000 + "]" * 9000).encode(),
-    "format = True": TOML.replace("format = 1", "format = true").encode(),
+    "format = true": TOML.replace("format = 1", "format = true").encode(),
     "position.0 = '12'": (TOML + '[[tree]]\nposition = ["12", 3.0]\nradius = 1\n').encode(),
-    "radius = True": (TOML + "[[tree]]\nposition = [12, 3.0]\nradius = true\n").encode(),
+    "radius = true": (TOML + "[[tree]]\nposition = [12, 3.0]\nradius = true\n").encode(),
     "square metres": TOML.replace("size = [20.0, 20.0]", "size = [10000, 10000]").encode(),
 }
 

@@ -13,7 +13,7 @@ from sim.export.clip.clip import Actor, Clip
 from sim.files.recording import Recording
 from sim.files.tables import Columns, write_table
 from worlds.errors import InputError
-from worlds.reading import nearest
+from worlds.errors.wording import nearest
 
 MOST_COLUMNS = 1000
 

@@ -7,6 +7,7 @@ from pydantic import ValidationError
 from sim.files.studio.document import Document
 from sim.files.studio.edits import Edit
 from worlds.errors import InputError
+from worlds.errors.wording import faults_of
 
 
 @dataclass(frozen=True)
@@ -74,5 +75,4 @@ def tried(edit: Edit, document: Document) -> Document | str:
     except InputError as error:
         return str(error)
     except ValidationError as error:
-        one = error.errors()[0]
-        return f"{edit.name}: {'.'.join(str(part) for part in one['loc'])} = {one['input']!r}: {one['msg']}"
+        return f"{edit.name}: {faults_of(error, type(document.head))[0]}"

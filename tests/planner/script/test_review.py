@@ -7,6 +7,7 @@ from motion.characters.character import load_character
 from planner.script.footprint import Footprint
 from planner.script.review import review
 from planner.script.scene import load_scene, scene_names
+from sim.stage.performance import Performance
 from worlds.errors import InputError
 from worlds.world import River, World
 
@@ -69,3 +70,28 @@ def test_scenes_that_ship_are_fine(name):
     scene = load_scene(name)
     who = load_character(scene.track.character)
     assert review(scene.footprints_of(who), who, scene.world.arrays, name) == []
+
+
+def two_tracks(aside, later):
+    """Two who walk the same way, the second `aside` [m] and `later` [s]."""
+    head = 'format = 1\nname = "two"\ncharacter = "human"\n[world]\nsize = [20, 20]\nterrain = "flat"\n'
+    path = "points = [[4, {0}], [12, {0}]]\nstep_length = 0.6\n"
+    first, second = path.format(5), path.format(5 + aside)
+    return f"{head}[path]\n{first}[[track]]\nstand_before = {1.0 + later}\n[[track.path]]\n{second}"
+
+
+TREADS = [(0.0, 0.0, True), (0.2, 0.0, True), (0.6, 0.0, False), (0.1, 9.0, True)]
+
+
+@pytest.mark.parametrize(("aside", "later", "treads"), TREADS)
+def test_tracks_that_tread_on_each_other_are_told(aside, later, treads, tmp_path):
+    path = tmp_path / "two.toml"
+    path.write_text(two_tracks(aside, later))
+    show = Performance(load_scene(path))
+    said = [warning for warning in show.warnings if "treads on" in warning]
+    soles = [one.motion.footprints for one in show.acts]
+    assert len(said) == treads
+    if treads:
+        begin = float(said[0].rsplit(", ", 1)[1].split(" s")[0])
+        firsts = [f.contact_time <= begin + 0.005 for f in soles]
+        assert all(first.any() for first in firsts) and "footprint." in said[0] and "of track.0" in said[0]

@@ -1,0 +1,85 @@
+"""Whether those who stand are apart: no two bodies overlap, and no two soles. Asked of starts, and of who becomes larger."""
+
+from math import cos, hypot, sin
+from typing import NamedTuple
+
+import numpy as np
+
+from motion.characters.dimensions import Dimensions
+from motion.track.footprints import LEFT, RIGHT
+from planner.crowd.bodies import gap_between
+from planner.round.soles import Sole, soles_apart
+from planner.stepping.beside import beside
+from worlds.errors import InputError
+
+TOUCH = 1e-6
+"""Bodies and soles that overlap by no more than this touch [m]."""
+BODIES, SOLES = "bodies", "soles"
+
+
+class Overlap(NamedTuple):
+    """Two who stand in each other."""
+
+    one: int
+    other: int  # came before
+    what: str  # of them overlaps
+
+
+def overlap_of(bipeds: list[Dimensions], places: np.ndarray) -> Overlap | None:
+    """The first of C characters at places (C, 3) x, y [m], heading [rad] that stands in one before it; None: all are apart.
+
+    They are put into a grid one by one. Those in it are apart, so few of them lie near: it takes time in proportion to C.
+    """
+    reaches = {id(one): _reach(one) for one in bipeds}
+    cell = 2 * max(reaches.values())
+    grid: dict[tuple[int, int], list[int]] = {}
+    for c, (x, y, _) in enumerate(places.tolist()):
+        i, j = int(x // cell), int(y // cell)
+        for other in (k for a in (i - 1, i, i + 1) for b in (j - 1, j, j + 1) for k in grid.get((a, b), ())):
+            most = reaches[id(bipeds[c])] + reaches[id(bipeds[other])]
+            if hypot(x - places[other, 0], y - places[other, 1]) < most:
+                what = what_overlaps(bipeds[c], places[c], bipeds[other], places[other])
+                if what is not None:
+                    return Overlap(c, other, what)
+        grid.setdefault((i, j), []).append(c)
+    return None
+
+
+def check_apart(bipeds: list[Dimensions], places: np.ndarray) -> None:
+    """Raises InputError where two of C who are to start at (C, 3) x, y [m], heading [rad] would stand in each other."""
+    overlap = overlap_of(bipeds, places)
+    if overlap:
+        c, other, what = overlap
+        at, there = (f"starts.{k} at ({places[k, 0]:g}, {places[k, 1]:g})" for k in (c, other))
+        raise InputError(f"{at}: stands in {there}: their {what} overlap; start them apart")
+
+
+def what_overlaps(one: Dimensions, place: np.ndarray, other: Dimensions, there: np.ndarray) -> str | None:
+    """What of two who stand at (3,) x, y [m], heading [rad] overlaps: their bodies, their soles, or None."""
+    (x, y, heading), (u, v, turned) = place.tolist(), there.tolist()
+    face, faces = (cos(heading), sin(heading)), (cos(turned), sin(turned))
+    if gap_between(_half(one), face, _half(other), faces, u - x, v - y) < -TOUCH:
+        return BODIES
+    feet, theirs = _soles(one, place), _soles(other, there)
+    return SOLES if any(soles_apart(a, z) < -TOUCH for a in feet for z in theirs) else None
+
+
+def _half(biped: Dimensions) -> tuple[float, float]:
+    """Half the depth and width of a body that does not sway [m]."""
+    body = biped.body
+    whole = (float(size) if size > 0 else 2 * float(body.radius) for size in (body.depth, body.width))
+    return 0.5 * next(whole), 0.5 * next(whole)
+
+
+def _soles(biped: Dimensions, place: np.ndarray) -> list[Sole]:
+    x, y, heading = place.tolist()
+    length, width = float(biped.foot.length), float(biped.foot.width)
+    radius = 0.5 * min(length, width)
+    feet = (beside(biped, side, (x, y), heading) for side in (LEFT, RIGHT))
+    return [Sole(u, v, cos(heading), sin(heading), 0.5 * length - radius, radius) for u, v in feet]
+
+
+def _reach(biped: Dimensions) -> float:
+    """Radius of a disc with the body and both soles in it [m]."""
+    foot, across = biped.foot, float(biped.gait.step_width)
+    return max(*_half(biped), hypot(0.5 * float(foot.length), 0.5 * (across + float(foot.width))))
