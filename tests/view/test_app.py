@@ -142,3 +142,16 @@ def test_the_window_asks_for_a_profile_that_every_machine_has():
     assert asked[pygame.GL_CONTEXT_PROFILE_MASK] == pygame.GL_CONTEXT_PROFILE_CORE
     assert asked[pygame.GL_CONTEXT_FLAGS] == pygame.GL_CONTEXT_FORWARD_COMPATIBLE_FLAG
     assert (asked[pygame.GL_CONTEXT_MAJOR_VERSION], asked[pygame.GL_CONTEXT_MINOR_VERSION]) == (3, 3)
+
+
+def test_what_was_walked_goes_to_the_studio(app, monkeypatch):
+    """Enter hands the studio all that was walked."""
+    from sim.view.window import beside
+
+    opened = []
+    monkeypatch.setattr(beside, "open_studio", opened.append)
+    for _ in range(900):
+        app.sim.tick()
+    app.key("return")
+    assert app.paused and len(opened) == 1 and opened[0].head.name == app.sim.world.name
+    assert len(opened[0].tracks[0].footprint) == app.sim.walked().footprints.side.size

@@ -9,7 +9,7 @@ from sim.stage.cast import Cast
 from sim.view.scenery.trail import Trail
 
 GRASS, WATER, TREE, STONE, PLASTER = (119, 146, 84), (64, 118, 130), (58, 88, 48), (143, 141, 136), (214, 203, 182)
-SOLE, BODY = (70, 62, 41), (250, 245, 230)
+SOLE, BODY, FLAG = (70, 62, 41), (250, 245, 230), (255, 158, 31)
 
 
 def draw_plan(surface: Any, sim: Cast, trail: Trail, centre: np.ndarray, metres: float) -> None:
@@ -38,6 +38,8 @@ def draw_plan(surface: Any, sim: Cast, trail: Trail, centre: np.ndarray, metres:
     for things, colour in ((sim.world.rocks, STONE), (sim.world.trees, TREE)):
         for place, thing in zip(at(things), things, strict=True):
             pygame.draw.circle(surface, colour, place.tolist(), max(int(thing[2] * scale), 1))
+    if sim.world.goal is not None:
+        pygame.draw.circle(surface, FLAG, at([sim.world.goal])[0].tolist(), max(int(sim.world.goal_radius * scale), 4), 3)
     trail.look(sim)
     for rows, count in zip(trail.rows, trail.count, strict=True):
         stamp(rows[:count][rows[:count, 7] <= sim.time], max(int(0.05 * scale), 2), SOLE)

@@ -11,7 +11,7 @@ from sim.view.graphics import shaders
 from sim.view.graphics.camera import Camera, look_at, orthographic
 from sim.view.graphics.mesh import Mesh
 from sim.view.graphics.quality import Quality
-from sim.view.pictures.overlays import overlays
+from sim.view.pictures.overlays import goal, overlays, tentative
 from sim.view.scenery import meshes
 from sim.view.scenery.forest import Forest
 from sim.view.scenery.trail import Trail
@@ -134,8 +134,11 @@ class Renderer:
         self.bodies.model(sim, time, view, height)
         self._focus_com = self.bodies.com[focus]
         self._marks.clear()
+        if not self.alone:
+            goal(self._marks, sim.world)
         if self.show_overlays and not self.alone:
             overlays(self._marks, sim, focus)
+            tentative(self._marks, sim, focus)
         self._overlays.write(self._marks.rows())
         for name, mesh in self._clay.items():
             mesh.write(getattr(self.bodies, name).rows())

@@ -8,11 +8,12 @@ import numpy as np
 
 from motion.characters.character import character_names
 from planner.planner import NoWay
+from sim.files.studio.walked import document_of_cast
 from sim.stage.cast import Cast
 from sim.stage.commands import apply
 from sim.stage.simulation import Simulation
 from sim.view.graphics.camera import Camera
-from sim.view.window import driving, picking
+from sim.view.window import beside, driving, picking
 from worlds.errors import InputError
 
 FRAME = 1 / 60
@@ -20,10 +21,13 @@ FRAME = 1 / 60
 MOST_TICKS, TICKING = 6, 0.05
 """Ticks that a frame makes up for after a stall, and seconds that it gives them; the rest of the backlog is dropped, so that
 a crowd too large for real time slows down instead of stopping the pictures."""
+MOST_KEPT = 100_000
+"""Footprints of all characters together that are kept for the studio: 20 MB."""
 HELP = (
     "space  pause        .  single tick       [ ]  slower, faster",
     "c  character        o  overlays          f  follow      v  plan view",
     "r  restart          n  next level        tab  panel     h  help     esc  quit",
+    "enter  edit what was walked, in the studio, which opens beside this window",
     "a  everyone         left, right, or a click on it: the character to follow",
     "drag: orbit   wheel: zoom   G+click: goal   T+click: tree   K+click: rock   X+click: remove",
 )
@@ -57,6 +61,12 @@ class App:
         self.pressed: tuple[int, int] | None = None
         self.driver, self.sticks = driving.Driver(), driving.AT_REST
         self._tool: str | None = None
+        self._take(sim)
+
+    def _take(self, sim: Cast) -> None:
+        """Another run is shown; its footprints are kept, for whoever wants to edit them."""
+        self.sim = sim
+        sim.keep_footprints(MOST_KEPT)
         self._reset_view()
 
     def _reset_view(self) -> None:
@@ -98,12 +108,12 @@ class App:
     def rebuild(self) -> None:
         """Starts over with the present level and character; says so where that cannot be, and keeps what runs."""
         try:
-            self.sim = self.make(self.level, self.character, self.seed)
+            sim = self.make(self.level, self.character, self.seed)
         except (InputError, NoWay) as error:
             self.message = str(error)
             return
-        self.message = self.sim.world.name
-        self._reset_view()
+        self._take(sim)
+        self.message = sim.world.name
 
     def key(self, name: str) -> None:
         """A key was pressed: first those that drive, where somebody is driven."""
@@ -114,7 +124,7 @@ class App:
             pause: self.toggle, ".": self._single, "[": self._slower, "]": self._faster, "c": self._next_character,
             "o": self._overlays, "f": self._follow, "v": self._plan, "r": self.rebuild, "n": self._next_level,
             "tab": self._panel, "h": self._help, "escape": self._quit, "a": self.everyone, "left": self._previous,
-            "right": self._next,
+            "right": self._next, "return": self.edit_scene,
         }  # fmt: skip
         if name in actions:
             actions[name]()
@@ -126,6 +136,15 @@ class App:
         self.driver.release(name)
         if name == self._tool:
             self._tool = None
+
+    def edit_scene(self) -> None:
+        """Opens the studio beside this window, on what has been walked so far; says so where that cannot be."""
+        try:
+            kinds = [str(self.character)] if self.character else []
+            beside.open_studio(document_of_cast(self.sim, self.focus, self.level, kinds))
+            self.paused, self.message = True, "the studio opens beside this window, with what was walked"
+        except (InputError, OSError) as error:
+            self.message = str(error)
 
     def toggle(self) -> None:
         """Pauses, or goes on."""

@@ -67,7 +67,7 @@ class Panel:
                 app.key(key)
         if imgui.button("character"):
             app.key("c")
-        for label, key in (("overlays", "o"), ("plan", "v")):
+        for label, key in (("overlays", "o"), ("plan", "v"), ("edit", "return")):
             imgui.same_line()
             if imgui.button(label):
                 app.key(key)

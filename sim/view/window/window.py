@@ -8,7 +8,7 @@ from typing import Any
 
 from sim.stage.cast import Cast
 from sim.view.graphics import gl
-from sim.view.pictures.results import Results, Wanted
+from sim.view.pictures.results import Names, Results, Wanted
 from sim.view.window.app import FRAME, App
 from sim.view.window.driving import Pad
 from sim.view.window.plan_screen import PlanScreen
@@ -28,7 +28,8 @@ def run_window(
     pygame.display.init()
     app = App(make, sim, options, levels)
     screen = _open_screen(pygame, options.size)
-    results, pad = Results(wanted, app.sim), Pad(pygame)
+    names = Names(app.level, (str(app.character),) if app.character else ())
+    results, pad = Results(wanted, app.sim, names), Pad(pygame)
     last, frames, began = clock.perf_counter(), 0, clock.perf_counter()
     while app.running and app.ticks_left() and not stop():
         for event in pygame.event.get():
