@@ -209,6 +209,7 @@ def _common(job: argparse.ArgumentParser) -> None:
 
 def _shown(job: argparse.ArgumentParser) -> None:
     job.add_argument("--headless", action="store_true", help="no window")
+    job.add_argument("--scale", type=float, default=1.0, choices=SCALES, help="of letters: 2 on screens of twice the pixels")
     job.add_argument("--seconds", type=values.seconds, metavar="T", help="simulated seconds, then end")
     job.add_argument("--record", metavar="RUN.npz")
     job.add_argument("--scene", metavar="S.toml", help="the run's footprints as a scene, for `edit` and `play`")

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from sim.cli import agreeing, stopping
+from sim.cli.sketching import sketched
 from sim.cli.status import BAD_INPUT, DONE
 from sim.files import outputs
 from sim.files.saving import restore
@@ -29,11 +30,13 @@ LEFT_BEHIND = ("footfall.png", "footfall.npz")
 
 
 def show(
-    options: Any, make: Callable[..., Cast], names: list[str], saved: str | None = None, hands: tuple[Hand, ...] = ()
+    options: Any, make: Callable[..., Cast], names: list[str], check: Callable[[], None], saved: str | None = None,
+    hands: tuple[Hand, ...] = (),
 ) -> int:  # fmt: skip
     """Runs what `make` makes, or what was saved, in a window where there is one; `names` are what the window can go on to.
 
-    hands: what acts on a run without a window after each tick, as a person does in one.
+    check: raises InputError where what is asked for cannot be. hands: what acts on a run without a window after each tick, as a
+    person does in one.
     """
     windowed = not options.headless and has_display()
     wanted = _wanted(options, windowed)
@@ -41,7 +44,7 @@ def show(
     if windowed and wanted.video is not None:
         raise InputError(f"--video {wanted.video}: films are made without a window: add --headless")
     begin = time.perf_counter()
-    warm_up(options.command, tell, options.characters)
+    _get_ready(options, check, windowed)
     sim = _restored(options, saved) if saved else make()
     if saved and options.seconds and options.seconds <= sim.time:
         raise InputError(f"--seconds {options.seconds:g}: {saved} is at {sim.time:g} s already; give a later time")
@@ -54,6 +57,21 @@ def show(
 
     with stopping.between_ticks():
         return run_window(make, sim, options, names, wanted, stopping.asked)
+
+
+def _get_ready(options: Any, check: Callable[[], None], windowed: bool) -> None:
+    """Checks what is asked for and compiles what it needs; where that takes long, a window shows the world meanwhile."""
+
+    def work(told: Callable[[str], None]) -> None:
+        check()
+        warm_up(options.command, told, options.characters)
+
+    if not windowed:
+        work(tell)
+        return
+    from sim.view.window.waiting import wait_for
+
+    wait_for(work, tell, sketched(getattr(options, "level", None)), options.size)
 
 
 def _names(options: Any) -> Names:

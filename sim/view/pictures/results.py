@@ -56,7 +56,7 @@ class Results:
         self.wanted, self.sim, self.names = wanted, sim, names
         self.done: list[str] = []
         self.faults: list[str] = []
-        self._record, self._film = wanted.record, None
+        self._record, self._asked, self._film = wanted.record, wanted.record, None
         self._recorder: Recorder | None = None
         if wanted.video:
             from sim.view.pictures.film import Film
@@ -77,6 +77,16 @@ class Results:
         """Where a long recording lies until it is written: on the disk that it is written to."""
         folder = Path(self._record or "").absolute().parent
         return None if str(folder).startswith(outputs.AS_SUCH) or str(folder) == "/dev" else folder
+
+    def record_to(self, path: str | None) -> None:
+        """From now on the run is recorded there; None: no longer. What was recorded before is written."""
+        if path == self._asked:
+            return
+        self._end_recording()
+        self._asked = self._record = path
+        if path:
+            self._recorder = Recorder(self.sim, self._folder())
+            self._ticks = self.sim.ticks - 1
 
     def follow(self, sim: Cast) -> None:
         """Takes the ticks that have passed: poses are functions of time, so they can be asked for afterwards."""
@@ -109,7 +119,7 @@ class Results:
         """Another simulation runs from now on: the recording so far is written, and another one begins beside it."""
         self._end_recording()
         if self._record:
-            first = Path(str(self.wanted.record))
+            first = Path(str(self._asked))
             parts = (first.with_name(f"{first.stem}.{k}{first.suffix}") for k in itertools.count(2))
             self._record = str(next(path for path in parts if not path.exists() and str(path) not in self.done))
             tell(f"Starting over: the recording so far is written, and its next part will be {self._record}")

@@ -9,7 +9,7 @@ from planner.script.path import Path
 from planner.script.shaping import KEYED, ComPull, Key, Manners, Stretch, Style
 from sim.files.studio import edits, groups, paths, shapes
 from sim.files.studio.document import Spot, footprint_at, footprints_in
-from sim.view.studio import theme
+from sim.view import theme
 from sim.view.studio.desk.desk import Desk
 from sim.view.studio.desk.healing import Healing
 from sim.view.studio.table.layout import Layout

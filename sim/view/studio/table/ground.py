@@ -3,10 +3,10 @@
 import numpy as np
 from imgui_bundle import imgui
 
-from sim.view.studio import theme
+from sim.view import theme
 from sim.view.studio.table import marks
 from sim.view.studio.table.canvas import Box, Plan
-from sim.view.studio.theme import ink
+from sim.view.theme import ink
 from worlds.world import World
 
 
