@@ -200,7 +200,7 @@ def nominal_at(biped: Dimensions, footprints: Footprints, n: int, u: float) -> f
     v, w = u / LOADING_ENDS, (u - PUSH_BEGINS) / (1 - PUSH_BEGINS)
     give = biped.leg.loading * 6.75 * v * (1 - v) * (1 - v) if v < 1 and not footprints.stands[n] else 0.0
     push = biped.leg.push_off * max(2 * footprints.roll[n, 1] - 1, 0.0) * w * w if w > 0 else 0.0
-    return footprints.nominal_length[n] * (1 - give - push)
+    return footprints.nominal_length[n] * (1 - footprints.bounce[n] * give - footprints.bounce[n] * push)
 
 
 @jit_borrowing

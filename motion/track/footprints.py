@@ -64,6 +64,7 @@ class Footprints(NamedTuple):
     strike: Numbers  # (n,) how far the toes are up when it lands on its heel; the heel, below 0 [rad]
     gravity: Share  # (n,) share of gravity that the motion reckons with from its contact to the next
     comfort: Share  # (n,) share of the comfort weight there
+    bounce: Share  # (n,) how far the leg over it gives under the load and bends as it pushes off, in its own way of doing so
 
 
 class Foot(NamedTuple):

@@ -5,17 +5,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.arithmetic.angles import unwrapped
 from motion.characters.character import Character
 from planner.planner import Situation, as_numbers
 from planner.round.kernel import Compiled
 from planner.round.round import PATIENT, Me, Round, Wish, biped_of
-from planner.stepping import random
-from planner.stepping.arriving import arrive, walk_on
+from planner.stepping.arriving import arrive, sees, walk_down, walk_on
 from planner.stepping.beside import Place, middle_beside
-from planner.stepping.field import course_down, fields_to
+from planner.stepping.field import fields_to
 from planner.stepping.footing import surely
-from planner.stepping.steering import Onward, free_way, step_within
+from planner.stepping.steering import free_way
 from worlds import queries
 from worlds.compiled.jit import jit_borrowing
 from worlds.errors import InputError
@@ -24,10 +22,6 @@ from worlds.world import World
 
 THERE, CONTENT = 0.5, 0.25
 """A walker is at its last stop within this share of its preferred step, and more for every step that others hindered."""
-AT_HAND = 0.2
-"""Down a field one looks so many preferred steps ahead: it knows of what lies beyond."""
-SIGHT = 6.0
-"""A stop that is nearer than so many preferred steps, and to be seen, is walked to straight."""
 ABEAM = 0.7
 """Whom others hinder has passed a stop on the way once the cosine between its direction and the leg to it is below this."""
 
@@ -95,27 +89,6 @@ def _is_past(round: Round, me: Me, reached: int, middle: Place, abeam: float) ->
     return free_way(biped_of(round, me), round.world, x, y, atan2(dy, dx), margin, far) >= far
 
 
-@jit_borrowing
-def _by_field(round: Round, me: Me, middle: Place, stop: int) -> Onward:
-    """A step down the field of a stop, close by walls: it leads through doors."""
-    biped, plans, foot, (x, y) = biped_of(round, me), round.plans, me.feet.newer, middle
-    goal = plans.stops[me.c, stop]
-    course = course_down(plans.fields[plans.field[me.c, stop]], plans.cell[0], x, y, atan2(goal[1] - y, goal[0] - x))
-    right_first = random.uniform(round.seed, me.c, 0, random.SIDE) < 0.5
-    margin, look = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01), AT_HAND * biped.gait.preferred_step
-    wanted = unwrapped(course, foot.heading)
-    return step_within(biped, round.world, middle, foot.heading, wanted, look, right_first, margin)
-
-
-@jit_borrowing
-def _sees(round: Round, me: Me, middle: Place, stop: Place) -> bool:
-    """Whether the straight way to a stop is near and free, so that no field is needed."""
-    biped, dx, dy = biped_of(round, me), stop[0] - middle[0], stop[1] - middle[1]
-    far, (x, y) = hypot(dx, dy), middle
-    margin = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01)
-    return far < SIGHT * biped.gait.preferred_step and free_way(biped, round.world, x, y, atan2(dy, dx), margin, far) >= far
-
-
 def _next_step(round: Round, me: Me) -> Wish:
     """The next step to the stop that comes next; a stop that was come to counts as reached once a real step is planned."""
     biped, foot, plans = biped_of(round, me), me.feet.newer, round.plans
@@ -128,8 +101,9 @@ def _next_step(round: Round, me: Me) -> Wish:
         return arrive(round, me, middle)
     at = stop_of(plans, me.c, reached + there)
     stop = (plans.stops[me.c, at, 0], plans.stops[me.c, at, 1])
-    if plans.field[me.c, at] >= 0 and not _sees(round, me, middle, stop):
-        on = _by_field(round, me, middle, at)
+    field = plans.field[me.c, at]
+    if field >= 0 and not sees(round, me, middle, stop):
+        on = walk_down(round, me, middle, plans.fields[field], plans.cell[0], stop)
     else:
         on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, (me.c, me.number))
     return surely(round, me, (on.x, on.y), on.heading, on.course, True)

@@ -2,7 +2,7 @@
 
 The heading drifts slowly. Where the way ahead is not clear for the distance that the walker looks ahead, the nearest clear
 heading is taken, right or left first by chance. No two steps are quite as long (`variation`). A goal that is set while they
-wander is walked to by everyone, as near as ways that are straight but for what lies near lead; then they wander on.
+wander is walked to by everyone, around walls and water (planner.stepping.field); then they wander on.
 """
 
 from math import hypot
@@ -17,8 +17,9 @@ from planner.planner import Situation, fault_of_place
 from planner.round.kernel import Compiled
 from planner.round.round import Me, Round, Wish, biped_of
 from planner.stepping import random
-from planner.stepping.arriving import walk_on
+from planner.stepping.arriving import sees, walk_down, walk_on
 from planner.stepping.beside import Place, middle_beside
+from planner.stepping.field import fields_to
 from planner.stepping.footing import surely
 from planner.stepping.steering import LOOK_STEPS, MARGIN, Onward, lengthened, step_toward
 from worlds.arrays import WorldArrays
@@ -46,6 +47,13 @@ class Errands(NamedTuple):
 
     goal: np.ndarray  # (C, 2) [m]
     steps: np.ndarray  # (C,) they give up after so many more; 0: they wander
+    fields: np.ndarray  # (G, rows, columns) the way to the goal that was set last, float32 (planner.stepping.field); or none
+    cell: np.ndarray  # (1,) edge of its cells [m]
+
+    @staticmethod
+    def shared() -> tuple[str, ...]:
+        """Columns of all characters together."""
+        return "fields", "cell"
 
 
 @jit_borrowing
@@ -87,14 +95,17 @@ def _next_step(round: Round, me: Me) -> Wish:
     middle = middle_beside(biped, foot)
     if _has_errand(round, me, middle):
         to = (goal[me.c, 0], goal[me.c, 1])
-        on = walk_on(biped, round.world, middle, foot.heading, to, round.seed, (me.c, me.number))
+        if len(round.plans.fields) > 0 and not sees(round, me, middle, to):
+            on = walk_down(round, me, middle, round.plans.fields[0], round.plans.cell[0], to)
+        else:
+            on = walk_on(biped, round.world, middle, foot.heading, to, round.seed, (me.c, me.number))
         return surely(round, me, (on.x, on.y), on.heading, on.course, True)
     on = wander_on(biped, round.world, middle, foot.heading, round.seed, me.c, me.number)
     return surely(round, me, (on.x, on.y), on.heading, on.course, False)
 
 
 def _no_errands(characters: int) -> Errands:
-    return Errands(np.zeros((characters, 2)), np.zeros(characters, np.int64))
+    return Errands(np.zeros((characters, 2)), np.zeros(characters, np.int64), np.zeros((0, 1, 1), np.float32), np.ones(1))
 
 
 _PLANNING = Compiled(_next_step, _no_errands(1))
@@ -122,7 +133,13 @@ class Wander:
         errands.goal[:] = world.goal or world.start
         if before is None:
             return errands
-        if (errands.goal == before.goal).all():
+        same = (errands.goal == before.goal).all()
+        if same and not before.steps.any():
+            return errands
+        widest = max((one.biped for one in situation.characters), key=lambda biped: float(biped.body.radius))
+        fields, cell, _ = fields_to(world, widest, errands.goal[:1])
+        errands = errands._replace(fields=fields, cell=np.array([cell]))
+        if same:
             return errands._replace(steps=before.steps.copy())
         far = np.hypot(*(errands.goal - situation.feet.position[:, :, :2].mean(axis=1)).T)
         strides = np.array([float(one.biped.gait.preferred_step) for one in situation.characters])
@@ -134,6 +151,8 @@ class Wander:
             raise ValueError("plans: errands that never end")
         if not (np.abs(plans.goal) < 1e9).all():
             raise ValueError("plans: a goal that cannot be")
+        if plans.fields.ndim != 3 or min(plans.fields.shape[1:]) < 1 or not plans.cell[0] > 0:
+            raise ValueError("plans: a way that cannot be")
 
     def values(self) -> dict:
         """It is made of nothing."""

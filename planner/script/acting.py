@@ -8,6 +8,7 @@ from motion.motion import Motion, Pull, solve
 from motion.resolving import resolve
 from planner.script import shaping
 from planner.script.laying import Laid, lay
+from planner.script.manners import Spell, spells_of
 from planner.script.track import Placed, Track, placed
 from planner.script.turned import BoneKey
 from worlds.world import World
@@ -23,6 +24,7 @@ class Act(NamedTuple):
     pulls: tuple[Pull, ...]
     motion: Motion
     keys: tuple[BoneKey, ...]  # of bones turned by hand
+    spells: tuple[Spell, ...]  # of manners that are not the character's own
 
     @property
     def end(self) -> float:
@@ -45,7 +47,7 @@ def act(
     else:
         touched = _touched(last.pulls, pulls)
         motion = resolve(last.motion, laid.footprints, end, layout, pulls=pulls, touched=touched)
-    return Act(track, character, order, laid, pulls, motion, shaping.keys_of(laid, track.key))
+    return Act(track, character, order, laid, pulls, motion, shaping.keys_of(laid, track.key), spells_of(laid, track.stretch))
 
 
 def _touched(before: tuple[Pull, ...], after: tuple[Pull, ...]) -> tuple[float, float] | None:

@@ -17,7 +17,7 @@ from planner.script.track import Track
 from worlds import ground, reading
 from worlds.contents import checks
 from worlds.errors import InputError
-from worlds.ground import Ground
+from worlds.ground import Goal, Ground
 from worlds.world import World
 
 SCENES = FilePath(__file__).parent / "scenes"
@@ -29,6 +29,7 @@ class Sheet(Ground, Track):
 
     about: str = ""
     figure: str = ""
+    goal: Goal | None = None  # only to be seen
     track: Annotated[tuple[Track, ...], Field(max_length=64)] = ()
 
     def all_tracks(self) -> tuple[Track, ...]:
@@ -115,7 +116,7 @@ def scene_of(path: FilePath, sheet: Sheet) -> Scene:
 
 def world_of(path: FilePath, sheet: Sheet) -> World:
     """The world of a scene. Raises InputError naming every fault."""
-    world, faults = ground.build(path, sheet, _start(sheet), 0.0)
+    world, faults = ground.build(path, sheet, _start(sheet), 0.0, sheet.goal)
     faults += checks.faults(world)
     if faults:
         raise InputError("\n".join(f"{path}: {fault}" for fault in faults))

@@ -8,6 +8,7 @@ from typing import Annotated
 from pydantic import Field, model_validator
 
 from motion.characters.character import Character
+from motion.characters.dimensions import Dimensions
 from motion.motion import Pull
 from motion.pose.bones import INDEX
 from planner.script.laying import Laid
@@ -26,8 +27,25 @@ KEYED = tuple(name for name in INDEX if name != "root")
 LEAST_BLEND = 0.02
 
 
-class Stretch(Part):
-    """Steps that exaggerate: from the contact of one footprint to the contact after another."""
+class Manners(Part):
+    """How a character carries itself, beside what is its own: 1 as it is, less and more of it."""
+
+    bounce: Manner = 1.0  # how far legs give under the load, and how freely
+    sway: Manner = 1.0  # roll of the body and drop of the pelvis
+    twist: Manner = 1.0  # turns of pelvis and chest
+    arms: Manner = 1.0  # swing of the arms
+    lean_deg: Annotated[float, Field(ge=-45, le=45, strict=True)] = 0.0  # forward at speed, more than its own
+
+
+class Style(Manners):
+    """Manners throughout a track."""
+
+    heaviness: Annotated[float, Field(ge=0.3, le=2, strict=True)] = 1.0  # share of gravity that all steps reckon with
+
+
+class Stretch(Manners):
+    """Steps that exaggerate: from the contact of one footprint to the contact after another. Its manners come on top of the
+    track's; they come over the step before it and go over the step after it."""
 
     first: Number
     last: Number
@@ -42,31 +60,33 @@ class Stretch(Part):
         return self
 
 
-class Style(Part):
-    """How a character carries itself throughout a track, beside what is its own: 1 as it is, less and more of it."""
-
-    bounce: Manner = 1.0  # how far legs give under the load, and how freely
-    sway: Manner = 1.0  # roll of the body and drop of the pelvis
-    twist: Manner = 1.0  # turns of pelvis and chest
-    arms: Manner = 1.0  # swing of the arms
-    lean_deg: Annotated[float, Field(ge=-45, le=45, strict=True)] = 0.0  # forward at speed, more than its own
-    heaviness: Annotated[float, Field(ge=0.3, le=2, strict=True)] = 1.0  # share of gravity that all steps reckon with
-
-
 def styled(character: Character, style: Style) -> Character:
     """A character with a style: its dimensions are changed where they say how it moves, never how long its bones are."""
     if style == Style():
         return character
     biped = character.biped.copy()  # type: ignore[attr-defined]
-    for table, names, share in (
-        ("body", ("roll_amplitude", "pelvis_drop"), style.sway), ("body", ("pelvis_turn", "chest_turn"), style.twist),
-        ("body", ("arm_swing",), style.arms), ("leg", ("loading", "push_off"), style.bounce),
-        ("leg", ("comfort_weight",), 1 / (0.25 + 0.75 * style.bounce)),
+    biped["leg"]["loading"] *= style.bounce
+    biped["leg"]["push_off"] *= style.bounce
+    biped["leg"]["comfort_weight"] *= freedom(style.bounce)
+    carry(biped, style, 1.0)
+    return replace(character, biped=biped)
+
+
+def freedom(bounce: float) -> float:
+    """Share of the comfort weight that is left where legs give so many times as much."""
+    return 1 / (0.25 + 0.75 * bounce)
+
+
+def carry(biped: Dimensions, manners: Manners, weight: float) -> None:
+    """Changes how a body is carried, in its dimensions, by a share of manners: 1 wholly, 0 not at all."""
+    body = biped["body"]  # type: ignore[index]
+    for names, share in (
+        (("roll_amplitude", "pelvis_drop"), manners.sway), (("pelvis_turn", "chest_turn"), manners.twist),
+        (("arm_swing",), manners.arms),
     ):  # fmt: skip
         for name in names:
-            biped[table][name] *= share
-    biped["body"]["lean_speed"] += radians(style.lean_deg)
-    return replace(character, biped=biped)
+            body[name] *= 1 + weight * (share - 1)
+    body["lean_speed"] += weight * radians(manners.lean_deg)
 
 
 class ComPull(Part):
@@ -103,7 +123,8 @@ def stretched(laid: Laid, stretches: tuple[Stretch, ...], style: Style) -> Laid:
             last = rows[one.last + 1] if one.last + 1 < len(rows) else len(footprints.side)
             part = slice(int(rows[one.first]), int(last))
             footprints.gravity[part] *= one.gravity
-            footprints.comfort[part] *= one.comfort
+            footprints.comfort[part] *= one.comfort * freedom(one.bounce)
+            footprints.bounce[part] *= one.bounce
             footprints.nominal_length[part] *= one.leg
     return laid
 

@@ -2,18 +2,26 @@
 
 from math import atan2, hypot
 
+import numpy as np
+
 from motion.arithmetic.angles import unwrapped
 from motion.characters.dimensions import Dimensions
 from planner.round.round import Me, Round, Wish, biped_of, standing
 from planner.stepping import random
 from planner.stepping.beside import Place, middle_beside
+from planner.stepping.field import course_down
 from planner.stepping.footing import surely
-from planner.stepping.steering import LOOK_STEPS, Onward, lengthened, step_toward
+from planner.stepping.steering import LOOK_STEPS, Onward, free_way, lengthened, step_toward, step_within
+from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
 
 STAND_TIME = 0.5
 """A standing character plans again after this time [s]."""
+AT_HAND = 0.2
+"""Down a field one looks so many preferred steps ahead: it knows of what lies beyond."""
+SIGHT = 6.0
+"""A stop that is nearer than so many preferred steps, and to be seen, is walked to straight."""
 TOGETHER = 0.2
 """Who has arrived brings its feet to within this share of its preferred step of being beside each other."""
 
@@ -31,6 +39,26 @@ def walk_on(
     on = step_toward(biped, world, middle, heading, unwrapped(atan2(dy, dx), heading), look, right_first)
     share = random.near_one(seed, character, step, biped.gait.variation)
     return lengthened(on, middle, min(far / max(hypot(on.x - x, on.y - y), 1e-9), share))
+
+
+@jit_borrowing
+def walk_down(round: Round, me: Me, middle: Place, field: np.ndarray, cell: float, stop: Place) -> Onward:
+    """A step down the field of a stop, close by walls: it leads through doors."""
+    biped, foot, (x, y) = biped_of(round, me), me.feet.newer, middle
+    course = course_down(field, cell, x, y, atan2(stop[1] - y, stop[0] - x))
+    right_first = random.uniform(round.seed, me.c, 0, random.SIDE) < 0.5
+    margin, look = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01), AT_HAND * biped.gait.preferred_step
+    wanted = unwrapped(course, foot.heading)
+    return step_within(biped, round.world, middle, foot.heading, wanted, look, right_first, margin)
+
+
+@jit_borrowing
+def sees(round: Round, me: Me, middle: Place, stop: Place) -> bool:
+    """Whether the straight way to a stop is near and free, so that no field is needed."""
+    biped, dx, dy = biped_of(round, me), stop[0] - middle[0], stop[1] - middle[1]
+    far, (x, y) = hypot(dx, dy), middle
+    margin = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01)
+    return far < SIGHT * biped.gait.preferred_step and free_way(biped, round.world, x, y, atan2(dy, dx), margin, far) >= far
 
 
 @jit_borrowing

@@ -96,4 +96,4 @@ def trajectories(options: Any) -> int:
     def make(level: str = options.level, character: str = character, seed: int = 0) -> Procession:
         return procession(options.level, ways, load_character(character))
 
-    return show(options, make, [options.level])
+    return show(options, make, [options.level], lambda: None)

@@ -95,7 +95,9 @@ def _add_runs(commands: argparse._SubParsersAction) -> None:
     play.add_argument("level", nargs="?", metavar="SCENE", help="a scene that ships, or a .toml file")
     play.add_argument("--list", action="store_true", help="name the scenes that ship")
     edit = commands.add_parser("edit", help="the studio: place footprints, shape their timing, see the motion at once")
-    edit.add_argument("level", nargs="?", metavar="SCENE", help="a scene that ships, or a .toml file; without one, a new scene")
+    edit.add_argument(
+        "level", nargs="?", metavar="SCENE|RUN.npz", help="a scene that ships, a .toml file, or a recording; else a new scene"
+    )
     edit.add_argument("--size", type=values.size, default=(1280, 720), metavar="WxH")
     edit.add_argument("--scale", type=float, default=1.0, choices=SCALES, help="of letters: 2 on screens of twice the pixels")
     edit.add_argument("--screenshot", metavar="P.png", help="draw the studio once, without a window, and end")
@@ -207,8 +209,10 @@ def _common(job: argparse.ArgumentParser) -> None:
 
 def _shown(job: argparse.ArgumentParser) -> None:
     job.add_argument("--headless", action="store_true", help="no window")
+    job.add_argument("--scale", type=float, default=1.0, choices=SCALES, help="of letters: 2 on screens of twice the pixels")
     job.add_argument("--seconds", type=values.seconds, metavar="T", help="simulated seconds, then end")
     job.add_argument("--record", metavar="RUN.npz")
+    job.add_argument("--scene", metavar="S.toml", help="the run's footprints as a scene, for `edit` and `play`")
     job.add_argument("--screenshot", metavar="P.png", help="a picture of the end")
     job.add_argument("--video", metavar="V.mp4", help="a film of the run")
     job.add_argument("--size", type=values.size, default=(960, 540), metavar="WxH")

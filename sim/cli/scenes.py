@@ -26,14 +26,16 @@ def play(options: Any) -> int:
         return DONE
 
     agreeing.scene(options)
-    load_scene(options.level)
-    if options.character:
-        load_character(options.character)
+
+    def check() -> None:
+        load_scene(options.level)
+        if options.character:
+            load_character(options.character)
 
     def make(scene: str = options.level, character: str | None = options.character, seed: int = 0) -> Performance:
         return Performance(load_scene(scene), load_character(character) if character else None)
 
-    return show(options, make, scene_names())
+    return show(options, make, scene_names(), check)
 
 
 def sheets(options: Any) -> int:

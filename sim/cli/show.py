@@ -10,13 +10,15 @@ from pathlib import Path
 from typing import Any
 
 from sim.cli import agreeing, stopping
+from sim.cli.sketching import sketched
 from sim.cli.status import BAD_INPUT, DONE
 from sim.files import outputs
 from sim.files.saving import restore
+from sim.files.studio import keeping
 from sim.stage.cast import Cast
 from sim.stage.run import run as run_headless
 from sim.stage.warmup import warm_up
-from sim.view.pictures.results import Results, Wanted
+from sim.view.pictures.results import Names, Results, Wanted
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
 
@@ -28,11 +30,13 @@ LEFT_BEHIND = ("footfall.png", "footfall.npz")
 
 
 def show(
-    options: Any, make: Callable[..., Cast], names: list[str], saved: str | None = None, hands: tuple[Hand, ...] = ()
+    options: Any, make: Callable[..., Cast], names: list[str], check: Callable[[], None], saved: str | None = None,
+    hands: tuple[Hand, ...] = (),
 ) -> int:  # fmt: skip
     """Runs what `make` makes, or what was saved, in a window where there is one; `names` are what the window can go on to.
 
-    hands: what acts on a run without a window after each tick, as a person does in one.
+    check: raises InputError where what is asked for cannot be. hands: what acts on a run without a window after each tick, as a
+    person does in one.
     """
     windowed = not options.headless and has_display()
     wanted = _wanted(options, windowed)
@@ -40,7 +44,7 @@ def show(
     if windowed and wanted.video is not None:
         raise InputError(f"--video {wanted.video}: films are made without a window: add --headless")
     begin = time.perf_counter()
-    warm_up(options.command, tell, options.characters)
+    _get_ready(options, check, windowed)
     sim = _restored(options, saved) if saved else make()
     if saved and options.seconds and options.seconds <= sim.time:
         raise InputError(f"--seconds {options.seconds:g}: {saved} is at {sim.time:g} s already; give a later time")
@@ -55,6 +59,27 @@ def show(
         return run_window(make, sim, options, names, wanted, stopping.asked)
 
 
+def _get_ready(options: Any, check: Callable[[], None], windowed: bool) -> None:
+    """Checks what is asked for and compiles what it needs; where that takes long, a window shows the world meanwhile."""
+
+    def work(told: Callable[[str], None]) -> None:
+        check()
+        warm_up(options.command, told, options.characters)
+
+    if not windowed:
+        work(tell)
+        return
+    from sim.view.window.waiting import wait_for
+
+    wait_for(work, tell, sketched(getattr(options, "level", None)), options.size)
+
+
+def _names(options: Any) -> Names:
+    """What the run's files are called."""
+    level = None if "restore" in options and options.restore else getattr(options, "level", None)
+    return Names(level, (options.character,) if getattr(options, "character", None) else ())
+
+
 def _restored(options: Any, path: str) -> Cast:
     """The saved simulation, if it is what was asked for; else raises InputError."""
     sim = restore(path)
@@ -64,12 +89,12 @@ def _restored(options: Any, path: str) -> Cast:
 
 def _wanted(options: Any, windowed: bool) -> Wanted:
     """What the run is to leave; where there is no display and nothing was asked for, a picture and a recording."""
-    wanted = Wanted(options.record, options.screenshot, options.video, options.save, options.size)
+    wanted = Wanted(options.record, options.screenshot, options.video, options.save, options.scene, options.size)
     if options.headless or windowed:
         return wanted
     named = [f"{name}={os.environ[name]}" for name in ("DISPLAY", "WAYLAND_DISPLAY") if os.environ.get(name)]
     tell(f"{', '.join(named)}: no display answers there; running headless." if named else NO_DISPLAY)
-    if any(name is not None for name in wanted[:3]):
+    if any(name is not None for name in (*wanted[:3], wanted.scene)):
         return wanted
     picture, record = LEFT_BEHIND
     return wanted._replace(screenshot=picture, record=record)
@@ -91,7 +116,7 @@ def _headless(options: Any, sim: Cast, wanted: Wanted, hands: tuple[Hand, ...]) 
     """Runs without a window; leaves what was asked for, or what there is so far where it is stopped."""
     until = options.seconds or getattr(sim, "end", sim.time + HEADLESS_SECONDS)
     with stopping.between_ticks():
-        results = Results(wanted, sim)
+        results = Results(wanted, sim, _names(options))
         acting = [partial(hand, sim) for hand in hands]
         try:
             summary = run_headless(sim, until, lambda: results.follow(sim), *acting, quiet=options.json, stop=stopping.asked)
@@ -147,7 +172,9 @@ def _desk(options: Any) -> Any:
     from sim.view.studio.desk.desk import Desk
 
     desk = Desk()
-    if options.level:
+    if options.level == keeping.PIPED:
+        desk.begin(keeping.piped(sys.stdin.buffer), "What was walked")
+    elif options.level:
         desk.open(options.level)
     return desk
 

@@ -14,14 +14,17 @@ from worlds.level import level_names
 
 def walk(options: Any) -> int:
     """Wandering, going where the keys say, or crossing to a goal."""
-    agreeing.run(options)
+
+    def check() -> None:
+        agreeing.run(options)
 
     def make(level: str = options.level, character: str = options.character, seed: int = options.seed) -> Simulation:
         if options.command == "steer":
             return make_steered(level, character, options.characters, seed)
         return make_simulation(level, character, options.characters, seed, options.command == "river")
 
-    return show(options, make, level_names(with_goal=options.command == "river"), options.restore, _hands(options))
+    names = level_names(with_goal=options.command == "river")
+    return show(options, make, names, check, options.restore, _hands(options))
 
 
 def _hands(options: Any) -> tuple[Callable[[Cast], None], ...]:

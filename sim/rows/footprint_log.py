@@ -13,6 +13,9 @@ from motion.track.footprints import Footprints
 from sim.rows.crowd import Crowd
 from worlds.compiled.tables import picked
 
+TIDY = 4096
+"""Where only so many footprints are kept, the oldest are forgotten once in so many ticks with new ones."""
+
 
 class Walked(NamedTuple):
     """Footprints of several characters."""
@@ -31,11 +34,14 @@ class FootprintLog:
         self.recasts = np.zeros(characters, np.int64)
         """How often each character has become another one."""
         self._chunks: list[Walked] | None = None
+        self._most: int | None = None
 
-    def keep(self, crowd: Crowd) -> None:
-        """From now on nothing is forgotten; what the crowd still holds is taken."""
+    def keep(self, crowd: Crowd, most: int | None = None) -> None:
+        """From now on nothing is forgotten, or only the oldest of more than `most`; what the crowd still holds is taken."""
         if self._chunks is None:
-            self._chunks = self._final(crowd)
+            self._chunks, self._most = self._final(crowd), most
+        elif most is None:
+            self._most = None
 
     def add(self, crowd: Crowd, placed: np.ndarray) -> None:
         """Takes what became final when placed[c] (C,) footprints were placed."""
@@ -45,6 +51,15 @@ class FootprintLog:
             self.steps += int((~crowd.footprints.stands[who, crowd.real[who] - back]).sum())
             if self._chunks is not None:
                 self._chunks.append(self._gather(crowd, who, crowd.real[who] - back - 2))
+        if self._most is not None and self._chunks is not None and len(self._chunks) > TIDY:
+            self._forget()
+
+    def _forget(self) -> None:
+        """Joins what is kept, without the oldest beyond `most`."""
+        assert self._chunks is not None and self._most is not None
+        rows = _joined(self._chunks)
+        first = max(len(rows.character) - self._most, 0)
+        self._chunks = [_sorted(rows, np.arange(first, len(rows.character)))]
 
     def recast(self, crowd: Crowd, c: int) -> None:
         """Takes the last two footprints of character c, which is about to become another one."""
@@ -53,13 +68,16 @@ class FootprintLog:
         self.recasts[c] += 1
 
     def walked(self, crowd: Crowd) -> Walked:
-        """All that is known, in the order of the contacts."""
+        """All that is known, in the order of the contacts; a foot that stands on prolongs its footprint."""
+        rows = _without_standing_on(self.rows(crowd))
+        return _sorted(rows, np.lexsort((rows.character, rows.footprints.contact_time)))
+
+    def rows(self, crowd: Crowd) -> Walked:
+        """The same with a row for each time that a foot stood on, character by character."""
         everyone = np.arange(len(crowd.kind))
         pending = [self._gather(crowd, everyone, crowd.real - 2), self._gather(crowd, everyone, crowd.real - 1)]
         rows = _joined((self._final(crowd) if self._chunks is None else self._chunks) + pending)
-        rows = _sorted(rows, np.lexsort((rows.footprints.contact_time, rows.recasts, rows.character)))
-        rows = _without_standing_on(rows)
-        return _sorted(rows, np.lexsort((rows.character, rows.footprints.contact_time)))
+        return _sorted(rows, np.lexsort((rows.footprints.contact_time, rows.recasts, rows.character)))
 
     def arrays(self, crowd: Crowd) -> dict[str, np.ndarray]:
         """The footprint_* arrays of a recording."""

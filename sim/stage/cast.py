@@ -213,9 +213,17 @@ class Cast:
         """The footprints that are known: the latest, or all where they are kept."""
         return self.footprints.walked(self.crowd)
 
-    def keep_footprints(self) -> None:
-        """From now on no footprint is forgotten."""
-        self.footprints.keep(self.crowd)
+    def keep_footprints(self, most: int | None = None) -> None:
+        """From now on no footprint is forgotten, or, beyond so many of all characters together, only the oldest."""
+        self.footprints.keep(self.crowd, most)
+
+    def tentative(self, character: int) -> Footprints:
+        """(K,) the footprints behind the newest that a character has guessed for its last plan; none where all are known."""
+        return picked(self.crowd.footprints, (character, slice(0, 0)))
+
+    def rows_walked(self) -> Walked:
+        """As `walked`, but a foot that stands on is a row of its own, which tells when the others left."""
+        return self.footprints.rows(self.crowd)
 
     def stand(self, c: int, side: int, places: np.ndarray) -> None:
         """Lets character c stand, from now on, on places (2, 3) x, y, heading, the second with foot `side`."""

@@ -8,8 +8,10 @@ from motion.characters.character import Character, load_character
 from motion.com import newton
 from motion.motion import Motion
 from motion.pose.bones import Bones
+from motion.pose.pose import Pose
 from motion.track.curve import Curve, Track
 from planner.script.acting import Act, act
+from planner.script.manners import carried
 from planner.script.meeting import trodden
 from planner.script.review import review, warned
 from planner.script.scene import Scene
@@ -70,6 +72,18 @@ class Performance(Cast):
             kept.append(as_arrays(Walked(np.full(n - 2, c), np.zeros(n - 2, np.int64), picked(footprints, slice(0, n - 2)))))
         joined = {key: np.concatenate([each[key] for each in kept]) for key in kept[0]}
         self.footprints.take(steps, [0] * len(acts), joined)
+
+    def pose_into(self, pose: Pose, time: float, rows: np.ndarray) -> None:
+        """As a cast does; whose steps have manners of their own then is posed with these, one by one."""
+        super().pose_into(pose, time, rows)
+        for i, c in enumerate(rows):
+            kind = self.crowd.kind[c]
+            held = carried(self.bipeds[kind], self.acts[int(c)].spells, time) if self.acts[int(c)].spells else None
+            if held is not None:
+                before = self.bipeds[kind].copy()
+                self.bipeds[kind] = held
+                super().pose_into(Pose(*(column[i : i + 1] for column in pose)), time, rows[i : i + 1])
+                self.bipeds[kind] = before
 
     def hand_keys(self, character: int) -> tuple[BoneKey, ...]:
         """The hand keys of a track."""

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from motion.characters.character import Character
-from motion.track.footprints import LEFT, RIGHT
+from motion.track.footprints import LEFT, RIGHT, Footprints
 from planner.crowd.apart import check_apart
 from planner.planner import Planner, Situation, checked_starts
 from planner.round.kernel import ROUND
@@ -20,10 +20,11 @@ from planner.round.round import Round
 from planner.round.weights import PEOPLE, Weights, table_of_weights
 from planner.stepping.beside import beside
 from sim.rows import rounds
-from sim.rows.crowd import Crowd
+from sim.rows.crowd import TENTATIVE, Crowd
 from sim.rows.posing import THREADS
 from sim.stage.cast import TICK_RATE, Cast, Change, kinds_of, table_of
 from worlds.compiled.memory import Held
+from worlds.compiled.tables import copied, picked
 from worlds.world import World
 
 
@@ -143,6 +144,11 @@ class Simulation(Cast):
         weights = table_of_weights(self.weights, len(self.kinds))
         self._hold(Round(crowd.kind, self.bipeds, self.world.arrays, 0, reservations, crowd.intents, self.seed, weights))
         rounds.publish_all(self.work.address, np.arange(len(self.characters)))
+
+    def tentative(self, character: int) -> Footprints:
+        """(K,) the footprints behind the newest that a character has guessed for its last plan; the next one forgets them."""
+        real = int(self.crowd.real[character])
+        return copied(picked(self.crowd.footprints, (character, slice(real, real + TENTATIVE))))
 
     @property
     def reservations(self) -> Any:

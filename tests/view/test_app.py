@@ -6,6 +6,7 @@ These run before the pictures of test_view: SDL cannot open a window once the pr
 import argparse
 import os
 
+import numpy as np
 import pytest
 
 from motion.characters.character import character_names
@@ -142,3 +143,79 @@ def test_the_window_asks_for_a_profile_that_every_machine_has():
     assert asked[pygame.GL_CONTEXT_PROFILE_MASK] == pygame.GL_CONTEXT_PROFILE_CORE
     assert asked[pygame.GL_CONTEXT_FLAGS] == pygame.GL_CONTEXT_FORWARD_COMPATIBLE_FLAG
     assert (asked[pygame.GL_CONTEXT_MAJOR_VERSION], asked[pygame.GL_CONTEXT_MINOR_VERSION]) == (3, 3)
+
+
+def test_what_was_walked_goes_to_the_studio(app, monkeypatch):
+    """Enter hands the studio all that was walked."""
+    from sim.view.window import beside
+
+    opened = []
+    monkeypatch.setattr(beside, "open_studio", opened.append)
+    for _ in range(900):
+        app.sim.tick()
+    app.key("return")
+    assert app.paused and len(opened) == 1 and opened[0].head.name == app.sim.world.name
+    assert len(opened[0].tracks[0].footprint) == app.sim.walked().footprints.side.size
+
+
+def test_level_character_and_seed_are_chosen_at_once(app):
+    app.choose(level="river_leaps", character="bird")
+    assert app.sim.world.name == "Leaps and dead ends" and app.sim.characters[0].name == "bird" and app.notice
+    app.choose(level="river_impossible")
+    assert app.level == "river_leaps" and app.sim.world.name == "Leaps and dead ends" and "no way" in app.notice
+
+
+def test_notices_go_away(app, monkeypatch):
+    from sim.view.window import app as module
+
+    app.say("done")
+    assert app.notice == "done"
+    late = module.clock.monotonic() + module.NOTICE + 1
+    monkeypatch.setattr(module.clock, "monotonic", lambda: late)
+    assert app.notice == "" and app.message == "done"
+
+
+def test_overlays_come_and_go_one_by_one(app):
+    app.toggle_overlay("daggers")
+    assert app.shown == {"curve", "tangents", "headings", "next steps"}
+    app.toggle_overlay("daggers")
+    assert "daggers" in app.shown
+
+
+def test_a_recording_is_begun_and_ended_in_the_window(app, tmp_path, monkeypatch):
+    from sim.files.recording import load_recording
+    from sim.view.pictures.results import Results, Wanted
+
+    monkeypatch.chdir(tmp_path)
+    results = Results(Wanted(), app.sim)
+
+    def frames(count):
+        for _ in range(count):
+            app.advance(1 / 60)
+            results.record_to(app.recording or None)
+            results.follow(app.sim)
+
+    frames(30), app.key("m"), frames(40)
+    begun = app.sim.ticks
+    app.key("m"), frames(20)
+    (path,) = tmp_path.glob("footfall_*.npz")
+    time = load_recording(path).arrays["time"]
+    assert results.done == [path.name] and len(time) in (40, 41) and np.isclose(time[-1], begun / 60, atol=0.02)
+
+
+def test_the_camera_stays_above_hills():
+    from sim.view.graphics.camera import Camera
+    from worlds.queries import terrain_height
+    from worlds.world import World
+
+    world, low = World("hills", (60.0, 60.0), "hills", (2.5, 20.0, 0.3, 1.1, 2.0)), 0
+    for x, y, azimuth in np.random.default_rng(0).uniform((10, 10, -3), (50, 50, 3), (60, 3)):
+        camera = Camera(azimuth=float(azimuth), elevation=0.02, distance=9.0)
+        camera.target = np.array([x, y, terrain_height(world.arrays, x, y) + 0.9])
+        low += camera.eye[2] < terrain_height(world.arrays, *map(float, camera.eye[:2]))
+        camera.stay_above(world)
+        eye = camera.eye
+        inside = (eye[:2] >= 0).all() and (eye[:2] <= world.size).all()
+        assert not inside or eye[2] > terrain_height(world.arrays, float(eye[0]), float(eye[1]))
+        assert camera.elevation == 0.02  # what was asked for is not forgotten
+    assert low > 0

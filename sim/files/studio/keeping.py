@@ -6,17 +6,21 @@ import os
 import sys
 import threading
 import time as clock
+import tomllib
 from dataclasses import dataclass
 from pathlib import Path
+from typing import BinaryIO
 
-from planner.script.scene import SCENES, read_sheet, world_of
+from planner.script.scene import SCENES, Sheet, read_sheet, world_of
 from sim.files import outputs
-from sim.files.studio.document import Document, document_of
+from sim.files.studio.document import Document, document_of, sheet_of
 from sim.files.studio.writing import text_of
 from worlds import reading
 from worlds.errors import InputError
 from worlds.world import World
 
+PIPED = "-"
+"""The name of a scene that comes through a pipe."""
 EVERY = 2.0
 """Seconds between two savings by itself."""
 MOST_RECENT = 12
@@ -39,6 +43,18 @@ def open_scene(name_or_path: str | Path) -> Opened:
     return Opened(document, path.resolve(), written, digest)
 
 
+def piped(stream: BinaryIO) -> Document:
+    """The document that comes through a pipe; heightmaps lie in the present folder. Raises InputError naming every fault."""
+    name, raw = "what came through the pipe", stream.read(reading.LARGEST_FILE + 1)
+    if len(raw) > reading.LARGEST_FILE:
+        raise InputError(f"{name}: more than {reading.LARGEST_FILE} bytes; a scene has at most that many")
+    try:
+        plain = tomllib.loads(reading.text_of(Path(name), raw))
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(f"{name}: is no TOML: {error}") from None
+    return document_of(reading.checked(name, plain, Sheet))
+
+
 def _read(path: Path) -> tuple[Document, str, str]:
     sheet = read_sheet(path)
     world_of(path, sheet)
@@ -48,7 +64,7 @@ def _read(path: Path) -> tuple[Document, str, str]:
 
 def world_for(document: Document, path: Path | None) -> World:
     """The world of a document; heightmaps lie beside its file. Raises InputError."""
-    return world_of(path or Path.cwd() / "scene.toml", document.head)
+    return world_of(path or Path.cwd() / "scene.toml", sheet_of(document))
 
 
 def changed_on_disk(opened: Opened) -> bool:

@@ -5,11 +5,13 @@ inserted before it. Numbers are written so that reading them gives the same bits
 """
 
 import difflib
+from pathlib import Path
 from typing import Any
 
 import tomlkit
 from tomlkit.items import AoT, Table
 
+from sim.files import outputs
 from sim.files.studio.document import Document, sheet_of
 
 ORDER = (
@@ -28,6 +30,12 @@ def text_of(document: Document, written: str = "") -> str:
         least = {key: least[key] for key in (*ORDER, *least) if key in least}
     _merge(text, least, whole)
     return tomlkit.dumps(text)
+
+
+def write_scene(document: Document, path: str | Path) -> None:
+    """Writes a new file, whole or not at all. Raises InputError."""
+    with outputs.whole(path) as part:
+        part.write_bytes(text_of(document).encode("utf-8"))
 
 
 def _merge(table: Any, least: dict[str, Any], whole: dict[str, Any]) -> None:

@@ -4,11 +4,18 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from worlds.queries import terrain_height
+from worlds.world import World
+
 NEAR, FAR = 0.1, 400.0
 FARTHEST = 120.0
 """The camera goes no farther away than this [m]."""
 CROWD, CROWD_AWAY = 250, 4.5
 """Characters that the first picture of a crowd shows, the nearest."""
+STRAIGHT_DOWN, HIGHEST = 1.5533, 1.4
+"""Elevations [rad] of the plan view, and up to which the camera goes to stay above the ground."""
+WAY = (0.25, 0.45, 0.65, 0.85, 1.0)
+"""Shares of the way to the eye at which the ground below is asked for."""
 FIELD_OF_VIEW = np.radians(42.0)
 
 
@@ -22,6 +29,8 @@ class Camera:
     elevation: float = 0.32
     plan: bool = False
     follow: bool = True
+    lift: float = 0.0
+    """The elevation that it has at least, so as to stay above the ground [rad]."""
 
     def follow_point(self, point: np.ndarray, seconds: float) -> None:
         """Moves the target toward a point, smoothly; only what is drawn depends on it."""
@@ -56,10 +65,25 @@ class Camera:
     @property
     def eye(self) -> np.ndarray:
         """Where the camera is [m]."""
-        elevation = 1.5533 if self.plan else self.elevation
+        elevation = STRAIGHT_DOWN if self.plan else max(self.elevation, self.lift)
         c = np.cos(elevation)
         away = np.array([c * np.cos(self.azimuth), c * np.sin(self.azimuth), np.sin(elevation)])
         return self.target + (2.2 if self.plan else 1.0) * self.distance * away
+
+    def stay_above(self, world: World) -> None:
+        """Goes up where it would be under ground, or a hill would hide what it looks at; comes down again behind it."""
+        self.lift = 0.0
+        while self.lift < HIGHEST and self._is_low(world):
+            self.lift = max(self.lift, self.elevation) + 0.03
+
+    def _is_low(self, world: World) -> bool:
+        """Whether the ground comes near the way from what it looks at to the eye."""
+        eye, (width, depth) = self.eye, world.size
+        for share in WAY:
+            x, y, z = self.target + share * (eye - self.target)
+            if 0 <= x <= width and 0 <= y <= depth and z < terrain_height(world.arrays, x, y) + 0.3 * share:
+                return True
+        return bool(eye[2] < 0.3 * (world.terrain == "flat"))
 
     def matrix(self, aspect: float) -> np.ndarray:
         """World to clip space, (4, 4), for column vectors."""

@@ -77,7 +77,14 @@ TREE_VERTEX = (
     + """
 in vec3 in_offset; in vec3 in_normal; in vec3 in_part;  // part: height, crown or trunk, brightness
 in vec4 place; in vec4 form; in vec4 leaf;              // see trees.Planted
-out vec3 p; out vec3 n; out vec3 colour;
+uniform vec4 focus;                                     // place and radius of what is looked at
+out vec3 p; out vec3 n; out vec3 colour; out float gone;
+float near_way(vec3 at, float radius, float end) {      // 1: at hides the focus from the eye, 0: it is beside the way there
+    vec3 way = focus.xyz - eye;
+    float t = clamp(dot(at - eye, way) / dot(way, way), 0.0, end);
+    float reach = radius + focus.w * t;
+    return 1.0 - smoothstep(0.95, 1.1, length(at - eye - t * way) / reach);
+}
 void main() {
     bool crown = in_part.y > 0.5;
     vec3 size = crown ? vec3(form.w) : vec3(place.w, place.w, form.x);
@@ -85,6 +92,9 @@ void main() {
     p = place.xyz + turn * (size * in_offset) + vec3(0.0, 0.0, in_part.x * form.x);
     n = turn * in_normal;
     colour = (crown ? leaf.rgb : leaf.w * vec3(0.40, 0.29, 0.20)) * in_part.z;
+    float low = clamp(mix(eye.z, focus.z, 0.7) - place.z, 0.0, 0.6 * form.x);
+    gone = max(near_way(place.xyz + vec3(0.0, 0.0, 0.75 * form.x), 1.05 * form.w, 0.9),
+               near_way(place.xyz + vec3(0.0, 0.0, low), 2.0 * place.w, 0.95));
     gl_Position = view_projection * vec4(p, 1.0);
 }
 """
@@ -93,14 +103,10 @@ TREE_FRAGMENT = (
     COMMON
     + LIGHT
     + """
-in vec3 p; in vec3 n; in vec3 colour; out vec4 pixel;
-uniform vec4 focus;                     // place and radius that trees give the eye a way to
+in vec3 p; in vec3 n; in vec3 colour; in float gone; out vec4 pixel;
 void main() {
-    vec3 way = focus.xyz - eye;
-    float t = dot(p - eye, way) / dot(way, way);
-    float off = length(p - eye - t * way) / (focus.w * (0.35 + 0.65 * clamp(t, 0.0, 1.0)));
     float grain = fract(52.9829189 * fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715))));
-    if (t < 0.97 && off < 0.75 + 0.5 * grain) discard;
+    if (grain < gone) discard;   // all of the tree alike
     pixel = tone(shade(colour, p, normalize(n)));
 }
 """

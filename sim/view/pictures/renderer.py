@@ -11,7 +11,7 @@ from sim.view.graphics import shaders
 from sim.view.graphics.camera import Camera, look_at, orthographic
 from sim.view.graphics.mesh import Mesh
 from sim.view.graphics.quality import Quality
-from sim.view.pictures.overlays import overlays
+from sim.view.pictures.overlays import OVERLAYS, goal, overlays
 from sim.view.scenery import meshes
 from sim.view.scenery.forest import Forest
 from sim.view.scenery.trail import Trail
@@ -59,7 +59,7 @@ class Renderer:
         self._world: World | None = None
         self._kinds: list[Character] = []
         self._static: dict[str, Mesh] = {}
-        self.show_overlays = True
+        self.show_overlays, self.shown = True, OVERLAYS
         self.alone = False
         """Whether only bodies are drawn, on nothing: the picture is transparent around them."""
 
@@ -134,8 +134,10 @@ class Renderer:
         self.bodies.model(sim, time, view, height)
         self._focus_com = self.bodies.com[focus]
         self._marks.clear()
+        if not self.alone:
+            goal(self._marks, sim.world)
         if self.show_overlays and not self.alone:
-            overlays(self._marks, sim, focus)
+            overlays(self._marks, sim, focus, self.shown)
         self._overlays.write(self._marks.rows())
         for name, mesh in self._clay.items():
             mesh.write(getattr(self.bodies, name).rows())

@@ -8,6 +8,8 @@ from typing import NamedTuple
 from sim.files import outputs
 from sim.files.recording import Recorder
 from sim.files.saving import save
+from sim.files.studio.walked import document_of_cast
+from sim.files.studio.writing import write_scene
 from sim.stage.cast import Cast
 from sim.stage.simulation import Simulation
 from worlds.compiled.telling import tell
@@ -20,6 +22,7 @@ class Wanted(NamedTuple):
     screenshot: str | None = None
     video: str | None = None
     save: str | None = None
+    scene: str | None = None
     size: tuple[int, int] = (960, 540)
 
     def check(self) -> None:
@@ -35,15 +38,25 @@ class Wanted(NamedTuple):
             kind_of(self.screenshot)
 
 
+class Names(NamedTuple):
+    """What the files are called that a run has read."""
+
+    level: str | None = None
+    kinds: tuple[str, ...] = ()
+
+
+NAMELESS = Names()
+
+
 class Results:
     """Collects them while a run goes on. A recording replays the same ticks, so it holds each of them."""
 
-    def __init__(self, wanted: Wanted, sim: Cast) -> None:
-        """Raises InputError where a film cannot be made."""
-        self.wanted, self.sim = wanted, sim
+    def __init__(self, wanted: Wanted, sim: Cast, names: Names = NAMELESS) -> None:
+        """names: of what a scene of the run names. Raises InputError where a film cannot be made."""
+        self.wanted, self.sim, self.names = wanted, sim, names
         self.done: list[str] = []
         self.faults: list[str] = []
-        self._record, self._film = wanted.record, None
+        self._record, self._asked, self._film = wanted.record, wanted.record, None
         self._recorder: Recorder | None = None
         if wanted.video:
             from sim.view.pictures.film import Film
@@ -53,6 +66,8 @@ class Results:
 
     def _begin(self, sim: Cast) -> None:
         self.sim, self._ticks = sim, sim.ticks - 1
+        if self.wanted.scene:
+            sim.keep_footprints()
         if self._record:
             self._recorder = Recorder(sim, self._folder())
             self._capture(self._recorder)
@@ -62,6 +77,16 @@ class Results:
         """Where a long recording lies until it is written: on the disk that it is written to."""
         folder = Path(self._record or "").absolute().parent
         return None if str(folder).startswith(outputs.AS_SUCH) or str(folder) == "/dev" else folder
+
+    def record_to(self, path: str | None) -> None:
+        """From now on the run is recorded there; None: no longer. What was recorded before is written."""
+        if path == self._asked:
+            return
+        self._end_recording()
+        self._asked = self._record = path
+        if path:
+            self._recorder = Recorder(self.sim, self._folder())
+            self._ticks = self.sim.ticks - 1
 
     def follow(self, sim: Cast) -> None:
         """Takes the ticks that have passed: poses are functions of time, so they can be asked for afterwards."""
@@ -94,7 +119,7 @@ class Results:
         """Another simulation runs from now on: the recording so far is written, and another one begins beside it."""
         self._end_recording()
         if self._record:
-            first = Path(str(self.wanted.record))
+            first = Path(str(self._asked))
             parts = (first.with_name(f"{first.stem}.{k}{first.suffix}") for k in itertools.count(2))
             self._record = str(next(path for path in parts if not path.exists() and str(path) not in self.done))
             tell(f"Starting over: the recording so far is written, and its next part will be {self._record}")
@@ -113,6 +138,8 @@ class Results:
             jobs[wanted.screenshot] = lambda: render_image(sim, str(wanted.screenshot), wanted.size)
         if wanted.save and isinstance(sim, Simulation):
             jobs[wanted.save] = lambda: save(sim, str(wanted.save))
+        if wanted.scene:
+            jobs[wanted.scene] = lambda: write_scene(document_of_cast(sim, 0, *self.names), str(wanted.scene))
         self._write(jobs)
 
     def _write(self, jobs: dict[str, Callable[[], None]]) -> None:

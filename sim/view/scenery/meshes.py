@@ -12,6 +12,8 @@ WALL_CUT = 1.0
 """Walls are drawn up to this height [m]."""
 WATER_BELOW = 0.06
 """The water's surface lies this far below the banks [m]."""
+APART = 0.004
+"""Pieces of a river that meet lie at heights that differ so much [m]: where both are, one of them is seen."""
 SKIRT = 25.0
 """The ground goes on this far beyond the border [m]."""
 
@@ -186,13 +188,13 @@ def water(world: World) -> np.ndarray:
     parts = []
     for river in world.rivers:
         points = np.asarray(river.points)
-        for a, b in zip(points, points[1:], strict=False):
+        for k, (a, b) in enumerate(zip(points, points[1:], strict=False)):
             along = (b - a) / np.linalg.norm(b - a)
             across = np.array([-along[1], along[0]]) * river.width / 2
             a, b = a - along * 0.25 * river.width, b + along * 0.25 * river.width
             count = max(int(np.linalg.norm(b - a) / 2), 1)
             middle = a + np.linspace(0, 1, count + 1)[:, None] * (b - a)
-            level = min(terrain_height(world.arrays, *p) for p in middle) - WATER_BELOW
+            level = min(terrain_height(world.arrays, *p) for p in middle) - WATER_BELOW - APART * (k % 2)
             grid = np.array([[(*(p - across), level) for p in middle], [(*(p + across), level) for p in middle]])
             flat = _triangles(quads(grid[::-1]).reshape(-1, 3), np.zeros(3))
             flat[:, 3:5] = along

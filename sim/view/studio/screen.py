@@ -8,10 +8,10 @@ import numpy as np
 from imgui_bundle import imgui
 from imgui_bundle.python_backends.opengl_backend_programmable import ProgrammablePipelineRenderer
 
+from sim.view import theme
 from sim.view.graphics import gl
 from sim.view.graphics.quality import LEVELS, SOFTWARE_LEVEL
 from sim.view.pictures.renderer import Renderer
-from sim.view.studio import theme
 from sim.view.studio.desk.desk import Desk
 from sim.view.studio.table.canvas import Space
 from sim.view.window.screen import SOFTWARE, context_attributes

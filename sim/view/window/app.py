@@ -8,11 +8,11 @@ import numpy as np
 
 from motion.characters.character import character_names
 from planner.planner import NoWay
+from sim.files.studio.walked import document_of_cast
 from sim.stage.cast import Cast
-from sim.stage.commands import apply
-from sim.stage.simulation import Simulation
 from sim.view.graphics.camera import Camera
-from sim.view.window import driving, picking
+from sim.view.pictures import overlays
+from sim.view.window import beside, driving, picking, tools
 from worlds.errors import InputError
 
 FRAME = 1 / 60
@@ -20,17 +20,19 @@ FRAME = 1 / 60
 MOST_TICKS, TICKING = 6, 0.05
 """Ticks that a frame makes up for after a stall, and seconds that it gives them; the rest of the backlog is dropped, so that
 a crowd too large for real time slows down instead of stopping the pictures."""
+NOTICE = 6.0
+"""Seconds that a notice is shown."""
+MOST_KEPT = 100_000
+"""Footprints of all characters together that are kept for the studio: 20 MB."""
 HELP = (
     "space  pause        .  single tick       [ ]  slower, faster",
     "c  character        o  overlays          f  follow      v  plan view",
-    "r  restart          n  next level        tab  panel     h  help     esc  quit",
+    "r  restart          n  next level        m  record, stop            esc  quit",
+    "tab  panel          h  help              = -  larger, smaller letters",
+    "enter  edit what was walked, in the studio, which opens beside this window",
     "a  everyone         left, right, or a click on it: the character to follow",
     "drag: orbit   wheel: zoom   G+click: goal   T+click: tree   K+click: rock   X+click: remove",
 )
-
-
-_THERE = {"Wander": "; they walk there, and wander on", "RockHop": "; they cross to it"}
-"""What a goal means, by planners; others make for none."""
 
 
 def tick_for(sim: Cast, ticks: int, seconds: float = TICKING) -> int:
@@ -52,11 +54,19 @@ class App:
         self.until: float | None = getattr(options, "seconds", None)
         self.paused, self.speed, self.running = False, 1.0, True
         self.show_overlays, self.show_panel, self.show_help = True, True, False
-        self.focus, self.behind, self.message = 0, 0.0, ""
+        self.focus, self.behind = 0, 0.0
+        self.message, self.said_at, self.recording = "", 0.0, ""
+        self.shown, self.scale = set(overlays.NAMES), float(getattr(options, "scale", 1.0))
         self.in_view, self.ticking = 0, TICKING
         self.pressed: tuple[int, int] | None = None
         self.driver, self.sticks = driving.Driver(), driving.AT_REST
         self._tool: str | None = None
+        self._take(sim)
+
+    def _take(self, sim: Cast) -> None:
+        """Another run is shown; its footprints are kept, for whoever wants to edit them."""
+        self.sim = sim
+        sim.keep_footprints(MOST_KEPT)
         self._reset_view()
 
     def _reset_view(self) -> None:
@@ -95,15 +105,40 @@ class App:
         """Ticks until --seconds are over; without them, no end is near."""
         return MOST_TICKS if self.until is None else max(int(round(self.until * self.sim.tick_rate)) - self.sim.ticks, 0)
 
+    def say(self, text: str) -> None:
+        """Shows a sentence for a while."""
+        self.message, self.said_at = text, clock.monotonic()
+
+    @property
+    def notice(self) -> str:
+        """What was said lately."""
+        return self.message if clock.monotonic() - self.said_at < NOTICE else ""
+
     def rebuild(self) -> None:
         """Starts over with the present level and character; says so where that cannot be, and keeps what runs."""
+        self.choose()
+
+    def choose(self, **other: Any) -> None:
+        """Starts over with another `level`, `character` or `seed`; says so where that cannot be, and keeps what runs."""
+        wanted = {"level": self.level, "character": self.character, "seed": self.seed} | other
         try:
-            self.sim = self.make(self.level, self.character, self.seed)
+            sim = self.make(**wanted)
         except (InputError, NoWay) as error:
-            self.message = str(error)
+            self.say(str(error))
             return
-        self.message = self.sim.world.name
-        self._reset_view()
+        self.level, self.character, self.seed = wanted["level"], wanted["character"], wanted["seed"]
+        self._take(sim)
+        self.say(sim.world.name)
+
+    def record(self) -> None:
+        """Begins a recording, or ends it."""
+        now = clock.strftime("%Y-%m-%d_%H-%M-%S")
+        self.recording = "" if self.recording else f"footfall_{now}.npz"
+        self.say(f"recording {self.recording}" if self.recording else "the recording is written")
+
+    def toggle_overlay(self, name: str) -> None:
+        """Shows an overlay, or hides it."""
+        self.shown ^= {name}
 
     def key(self, name: str) -> None:
         """A key was pressed: first those that drive, where somebody is driven."""
@@ -114,7 +149,8 @@ class App:
             pause: self.toggle, ".": self._single, "[": self._slower, "]": self._faster, "c": self._next_character,
             "o": self._overlays, "f": self._follow, "v": self._plan, "r": self.rebuild, "n": self._next_level,
             "tab": self._panel, "h": self._help, "escape": self._quit, "a": self.everyone, "left": self._previous,
-            "right": self._next,
+            "right": self._next, "return": self.edit_scene, "m": self.record, "=": self._larger,
+            "-": self._smaller,
         }  # fmt: skip
         if name in actions:
             actions[name]()
@@ -127,6 +163,16 @@ class App:
         if name == self._tool:
             self._tool = None
 
+    def edit_scene(self) -> None:
+        """Opens the studio beside this window, on what has been walked so far; says so where that cannot be."""
+        try:
+            kinds = [str(self.character)] if self.character else []
+            beside.open_studio(document_of_cast(self.sim, self.focus, self.level, kinds))
+            self.paused = True
+            self.say("the studio opens beside this window, with what was walked")
+        except (InputError, OSError) as error:
+            self.say(str(error))
+
     def toggle(self) -> None:
         """Pauses, or goes on."""
         self.paused = not self.paused
@@ -134,6 +180,12 @@ class App:
     def _single(self) -> None:
         self.paused = True
         self.sim.tick()
+
+    def _larger(self) -> None:
+        self.scale = min(self.scale * 1.15, 4.0)
+
+    def _smaller(self) -> None:
+        self.scale = max(self.scale / 1.15, 0.6)
 
     def _slower(self) -> None:
         self.speed = max(self.speed / 2, 1 / 16)
@@ -144,13 +196,11 @@ class App:
     def _next_character(self) -> None:
         names = character_names()
         at = names.index(self.character) if self.character in names else -1
-        self.character = names[(at + 1) % len(names)]
-        self.rebuild()
+        self.choose(character=names[(at + 1) % len(names)])
 
     def _next_level(self) -> None:
         place = self.levels.index(self.level) if self.level in self.levels else -1
-        self.level = self.levels[(place + 1) % len(self.levels)]
-        self.rebuild()
+        self.choose(level=self.levels[(place + 1) % len(self.levels)])
 
     def _overlays(self) -> None:
         self.show_overlays = not self.show_overlays
@@ -207,16 +257,4 @@ class App:
 
     def edit(self, tool: str, x: float, y: float) -> None:
         """g: goal, t: plant a tree, k: put a rock, x: remove the nearest tree or rock. Says what was refused, and why."""
-        if not isinstance(self.sim, Simulation):
-            self.message = "a scene is played as it is written"
-            return
-        command = picking.command_for(self.sim.world, tool, x, y)
-        if command is None:
-            self.message = "nothing to remove there"
-            return
-        try:
-            apply(self.sim, command)
-            meant = _THERE.get(self.sim.planner.name, f"; but {self.sim.planner.name} makes for no goal") if tool == "g" else ""
-            self.message = f"{command.name}: done" + meant
-        except (InputError, NoWay) as error:
-            self.message = str(error)
+        self.say(tools.used(self.sim, tool, x, y))

@@ -23,6 +23,8 @@ HELP = (
     "p  pause           .  single tick       [ ]  slower, faster      esc  quit",
     "c  character       o  overlays          f  follow                v  plan view",
     "r  restart         n  next level        tab  panel               h  help",
+    "m  record, stop   = -  larger, smaller letters",
+    "enter  edit what was walked, in the studio, which opens beside this window",
     "drag: orbit   wheel: zoom   click: follow   T+click: tree   K+click: rock   X+click: remove",
 )
 DEAD, FULL, CREEPS = 0.25, 0.92, 0.5

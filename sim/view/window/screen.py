@@ -21,7 +21,7 @@ SOFTWARE = ("llvmpipe", "softpipe", "swrast")
 class Screen3D:
     """Draws an App in a pygame window with OpenGL."""
 
-    def __init__(self, pygame: ModuleType, size: tuple[int, int]) -> None:
+    def __init__(self, pygame: ModuleType, size: tuple[int, int], scale: float = 1.0) -> None:
         self.pygame, self.size = pygame, size
         flags = pygame.OPENGL | pygame.DOUBLEBUF | pygame.RESIZABLE
         for key, value in context_attributes(pygame).items():
@@ -32,7 +32,7 @@ class Screen3D:
         software = any(name in self.ctx.info["GL_RENDERER"] for name in SOFTWARE)
         self.level = SOFTWARE_LEVEL if software else 0
         self.renderer = Renderer(self.ctx, LEVELS[self.level])
-        self.panel = _panel(pygame, size)
+        self.panel = _panel(pygame, size, scale)
         self.seconds, self.drawing, self._last = 1 / 30, 0.0, clock.perf_counter()
         self._frames, self._changed = 0, self._last
         self.copy = self.ctx.program(
@@ -70,7 +70,8 @@ class Screen3D:
         """One frame."""
         begin = clock.perf_counter()
         app.camera.follow_point(app.sim.com()[app.focus], self.seconds)
-        self.renderer.show_overlays = app.show_overlays
+        app.camera.stay_above(app.sim.world)
+        self.renderer.show_overlays, self.renderer.shown = app.show_overlays, frozenset(app.shown)
         self.renderer.draw(self.target, app.sim, app.camera, app.sim.time, app.focus)
         app.in_view = int(self.renderer.bodies.levels.sum())
         self.ctx.copy_framebuffer(self.flat, self.target)
@@ -114,12 +115,12 @@ def context_attributes(pygame: ModuleType) -> dict[int, int]:
     }
 
 
-def _panel(pygame: ModuleType, size: tuple[int, int]) -> Any:
+def _panel(pygame: ModuleType, size: tuple[int, int], scale: float) -> Any:
     """The panel, or None where imgui does not run."""
     try:
         from sim.view.window.panel import Panel
 
-        return Panel(pygame, size)
+        return Panel(pygame, size, scale)
     except Exception as error:  # imgui raises whatever its backend does
         tell(f"no panel: {error}")
         return None

@@ -8,7 +8,7 @@ from typing import Any
 
 from sim.stage.cast import Cast
 from sim.view.graphics import gl
-from sim.view.pictures.results import Results, Wanted
+from sim.view.pictures.results import Names, Results, Wanted
 from sim.view.window.app import FRAME, App
 from sim.view.window.driving import Pad
 from sim.view.window.plan_screen import PlanScreen
@@ -27,8 +27,9 @@ def run_window(
 
     pygame.display.init()
     app = App(make, sim, options, levels)
-    screen = _open_screen(pygame, options.size)
-    results, pad = Results(wanted, app.sim), Pad(pygame)
+    screen = _open_screen(pygame, options.size, app.scale)
+    names = Names(app.level, (str(app.character),) if app.character else ())
+    results, pad = Results(wanted, app.sim, names), Pad(pygame)
     last, frames, began = clock.perf_counter(), 0, clock.perf_counter()
     while app.running and app.ticks_left() and not stop():
         for event in pygame.event.get():
@@ -36,6 +37,7 @@ def run_window(
         app.sticks = pad.read()
         now = clock.perf_counter()
         app.advance(now - last)
+        results.record_to(app.recording or wanted.record)
         results.follow(app.sim)
         last = now
         screen.draw(app)
@@ -97,12 +99,12 @@ def typed(event: Any, pygame: ModuleType) -> str:
     return letter if letter.isascii() and letter.isprintable() and letter.strip() else pygame.key.name(event.key)
 
 
-def _open_screen(pygame: ModuleType, size: tuple[int, int]) -> Any:
+def _open_screen(pygame: ModuleType, size: tuple[int, int], scale: float = 1.0) -> Any:
     """The 3D screen, or the plan view where there is no OpenGL."""
     try:
         from sim.view.window.screen import Screen3D
 
-        return Screen3D(pygame, size)
+        return Screen3D(pygame, size, scale)
     except (gl.NoGL, pygame.error) as error:
         tell(f"{gl.HINT} ({error}); showing the plan view")
         return PlanScreen(pygame, size)

@@ -6,10 +6,10 @@ from imgui_bundle import imgui
 
 from motion.characters.character import character_names
 from planner.script.path import Path
-from planner.script.shaping import KEYED, ComPull, Key, Stretch, Style
+from planner.script.shaping import KEYED, ComPull, Key, Manners, Stretch, Style
 from sim.files.studio import edits, groups, paths, shapes
 from sim.files.studio.document import Spot, footprint_at, footprints_in
-from sim.view.studio import theme
+from sim.view import theme
 from sim.view.studio.desk.desk import Desk
 from sim.view.studio.desk.healing import Healing
 from sim.view.studio.table.layout import Layout
@@ -19,8 +19,10 @@ FLAGS = (
 )
 
 
-LIMITS = {"lean_deg": (-45.0, 45.0), "heaviness": (0.3, 2.0)}
-"""Of what a style may be, where it is not 0 to 3."""
+LIMITS = {
+    "lean_deg": (-45.0, 45.0), "heaviness": (0.3, 2.0), "leg": (0.5, 1.1), "gravity": (0.05, 3.0), "comfort": (0.05, 3.0),
+}  # fmt: skip
+"""Of what a style or a stretch may be, where it is not 0 to 3."""
 
 
 class Inspector:
@@ -83,12 +85,11 @@ class Inspector:
         if not imgui.collapsing_header("style"):
             return
         for name in Style.model_fields:
-            low, high = LIMITS.get(name, (0.0, 3.0))
-            changed, new = imgui.slider_float(name.replace("_deg", ""), getattr(style, name), low, high, "%.2f")
-            if changed:
-                value = round(float(min(max(new, low), high)), 3)
-                carried = style.model_copy(update={name: value})
-                desk.preview(groups.SetTrack(desk.track, "style", carried, f"Style: {name.replace('_deg', '')}"))
+            words = name.replace("_deg", "")
+            new = _slid(name, getattr(style, name))
+            if new is not None:
+                carried = style.model_copy(update={name: new})
+                desk.preview(groups.SetTrack(desk.track, "style", carried, f"Style: {words}"))
             if imgui.is_item_deactivated_after_edit():
                 desk.drop()
 
@@ -181,11 +182,10 @@ class Inspector:
         imgui.push_id(f"stretch{k}")
         imgui.text_colored((*theme.ACCENT, 1.0), f"steps {stretch.first} to {stretch.last}")
         self._remove(desk, "stretch", k)
-        for name in ("gravity", "comfort", "leg"):
-            low, high = (0.5, 1.1) if name == "leg" else (0.05, 3.0)
-            changed, new = imgui.slider_float(name, getattr(stretch, name), low, high, "%.2f")
-            if changed:
-                desk.preview(_changed(desk, "stretch", k, stretch, **{name: round(float(min(max(new, low), high)), 3)}))
+        for name in ("gravity", "comfort", "leg", *Manners.model_fields):
+            new = _slid(name, getattr(stretch, name))
+            if new is not None:
+                desk.preview(_changed(desk, "stretch", k, stretch, **{name: new}))
             if imgui.is_item_deactivated_after_edit():
                 desk.drop()
         imgui.pop_id()
@@ -234,6 +234,13 @@ class Inspector:
                 if imgui.button(f"{cure.words}: {cure.share:.0%} less##{k}", (-1, 0)):
                     desk.do(cure.edit)
             imgui.pop_id()
+
+
+def _slid(name: str, value: float) -> float | None:
+    """A slider; the value that it is drawn to, None where it is not."""
+    low, high = LIMITS.get(name, (0.0, 3.0))
+    changed, new = imgui.slider_float(name.replace("_deg", ""), value, low, high, "%.2f")
+    return round(float(min(max(new, low), high)), 3) if changed else None
 
 
 def _setting(spots: tuple[Spot, ...], key: str, words: str) -> Any:

@@ -4,13 +4,13 @@ import time as clock
 
 from imgui_bundle import imgui
 
-from sim.view.studio import theme
+from sim.view import theme
 from sim.view.studio.bars.menus import GROUPS
 from sim.view.studio.desk import desk as desks
 from sim.view.studio.desk.desk import Desk
 from sim.view.studio.desk.keys import ACTIONS, BY_KEY
 from sim.view.studio.table.layout import Layout
-from sim.view.studio.theme import ink
+from sim.view.theme import ink
 
 STILL = imgui.WindowFlags_.no_move | imgui.WindowFlags_.no_resize
 FIXED = STILL | imgui.WindowFlags_.no_title_bar | imgui.WindowFlags_.no_scrollbar

@@ -11,14 +11,14 @@ from imgui_bundle import imgui
 
 from sim.files.studio.document import Spot, footprints_in
 from sim.files.studio.edits import Edit, Set
-from sim.view.studio import theme
+from sim.view import theme
 from sim.view.studio.desk import debts
 from sim.view.studio.desk.debts import Debts
 from sim.view.studio.desk.desk import Desk
 from sim.view.studio.table.canvas import Box
 from sim.view.studio.table.layout import Layout
 from sim.view.studio.table.motions import Span
-from sim.view.studio.theme import ink
+from sim.view.theme import ink
 
 LEFT_MARGIN, RULER = 26.0, 18.0
 EDGE = 6.0

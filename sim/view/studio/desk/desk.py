@@ -16,6 +16,7 @@ from sim.files.studio.document import Document, Spot, footprints_in, new_documen
 from sim.files.studio.edits import Edit
 from sim.files.studio.history import begun, tried
 from sim.files.studio.keeping import Autosave, Opened
+from sim.files.studio.walked import document_in
 from sim.stage.performance import Rehearsal
 from worlds.errors import InputError
 
@@ -210,8 +211,17 @@ class Desk:
             self.say(str(error), wrong=True)
             return False
 
+    def begin(self, document: Document, name: str) -> None:
+        """Takes a document that lies in no file yet, under a name. Raises InputError."""
+        self.take(Opened(document, None))
+        self.opened = Opened(new_document(), None)
+        self.say(f"{name}: save it to keep it")
+
     def open(self, name: str | Path) -> None:
-        """Opens a file. Raises InputError."""
+        """Opens a scene, or the footprints of a recording or saved state. Raises InputError."""
+        if Path(name).suffix.lower() == ".npz":
+            self.begin(document_in(name), Path(name).name)
+            return
         self.take(keeping.open_scene(name))
         if self.opened.path is not None:
             keeping.remember(self.opened.path)

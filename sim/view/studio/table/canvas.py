@@ -6,7 +6,6 @@ import numpy as np
 
 from sim.view.graphics.camera import Camera
 from sim.view.window.picking import ground_point
-from worlds.queries import terrain_height
 from worlds.world import World
 
 NEAREST, WIDEST = 12.0, 600.0
@@ -116,11 +115,7 @@ class Space:
 
     def stay_above(self, world: World) -> None:
         """The camera never goes under ground."""
-        eye = self.camera.eye
-        low = float(terrain_height(world.arrays, eye[0], eye[1])) + 0.25
-        while eye[2] < low and self.camera.elevation < 1.4:
-            self.camera.elevation += 0.02
-            eye = self.camera.eye
+        self.camera.stay_above(world)
 
 
 Canvas = Plan | Space

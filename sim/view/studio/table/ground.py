@@ -3,10 +3,10 @@
 import numpy as np
 from imgui_bundle import imgui
 
-from sim.view.studio import theme
+from sim.view import theme
 from sim.view.studio.table import marks
 from sim.view.studio.table.canvas import Box, Plan
-from sim.view.studio.theme import ink
+from sim.view.theme import ink
 from worlds.world import World
 
 
@@ -25,6 +25,10 @@ def draw_ground(draw: imgui.ImDrawList, plan: Plan, world: World, scale: float) 
             places = plan.project(np.column_stack([discs[:, :2], np.zeros(len(discs))]))
             for i in np.flatnonzero(marks.inside(box, places, 200.0)):
                 draw.add_circle_filled(marks.vector(places[i]), float(discs[i, 2]) * plan.zoom, ink(colour))
+    if world.goal is not None:
+        place = marks.vector(plan.project(np.array([[*world.goal, 0.0]]))[0])
+        draw.add_circle(place, world.goal_radius * plan.zoom, ink(theme.ACCENT), 0, 2.0 * scale)
+        draw.add_circle_filled(place, 3.0 * scale, ink(theme.ACCENT))
     draw.add_rect(marks.vector(edge.min(axis=0)), marks.vector(edge.max(axis=0)), ink(theme.LINE_STRONG), 0.0, 1.5 * scale)
 
 

@@ -14,9 +14,9 @@ from planner.script.acting import Act
 from planner.script.path import hermite_path
 from sim.files.studio.document import Document, Spot, footprints_in
 from sim.files.studio.paths import tangents_of
-from sim.view.studio import theme
+from sim.view import theme
 from sim.view.studio.table.canvas import Box, Canvas
-from sim.view.studio.theme import ink
+from sim.view.theme import ink
 from worlds.queries import terrain_height
 from worlds.world import World
 

@@ -15,9 +15,9 @@ from motion.track.curve import Curve
 from planner.script.acting import Act
 from planner.script.shaping import time_of
 from sim.stage.performance import Rehearsal
-from sim.view.studio import theme
+from sim.view import theme
 from sim.view.studio.table.marks import Pen, draw_line, inside, vector
-from sim.view.studio.theme import ink
+from sim.view.theme import ink
 
 PIECES = 5
 """Straight pieces to a segment of the curve."""

@@ -9,7 +9,7 @@ from motion.measures.forces import needed_force, supporting_forces
 from planner.script.path import hermite_path
 from planner.script.track import Track
 from sim.files.studio.document import Spot, footprints_in
-from sim.view.studio import theme
+from sim.view import theme
 from sim.view.studio.desk import desk as desks
 from sim.view.studio.desk.desk import Desk
 from sim.view.studio.table import grips, marks, motions
@@ -19,7 +19,7 @@ from sim.view.studio.table.ground import draw_ground
 from sim.view.studio.table.layout import Layout
 from sim.view.studio.table.marks import Pen, Prints
 from sim.view.studio.table.motions import Sampled
-from sim.view.studio.theme import ink
+from sim.view.theme import ink
 
 FAR, NEAR = 9.0, 5.0
 """A scene longer than FAR [m] is not shown as a whole in space: who walks is, as if it were NEAR."""

@@ -1,5 +1,6 @@
 """Documents on disk: comments stay, others' work is not written over, a crash loses seconds."""
 
+import io
 import os
 import signal
 import subprocess
@@ -10,7 +11,8 @@ import pytest
 from sim.files.studio import edits, groups
 from sim.files.studio.document import Spot, footprint_at, new_document
 from sim.files.studio.history import begun
-from sim.files.studio.keeping import Autosave, Opened, lost, open_scene, recent, recover, remember, save
+from sim.files.studio.keeping import Autosave, Opened, lost, open_scene, piped, recent, recover, remember, save
+from sim.files.studio.writing import text_of
 from tests.structure import ROOT
 from worlds.errors import InputError
 
@@ -140,3 +142,12 @@ def test_what_is_saved_is_not_kept_twice(path):
     autosave.look(changed, Opened(changed, path))
     autosave.forget()
     assert not autosave.place.exists() and new_document() == new_document()
+
+
+def test_a_scene_comes_through_a_pipe():
+    document = open_scene("sprint").document
+    assert piped(io.BytesIO(text_of(document).encode())) == document
+    wrong = {b"format = ": "no TOML", b"\xff\xfa": "UTF-8", b"format = 1": "name", b" " * 3_000_000: "at most"}
+    for raw, said in wrong.items():
+        with pytest.raises(InputError, match=said):
+            piped(io.BytesIO(raw))

@@ -1,0 +1,102 @@
+"""Live and recorded runs opened as scenes: the same world, prints and times, and a motion near the live one."""
+
+import numpy as np
+import pytest
+
+from motion.characters.character import load_character
+from planner.modes.steer import Steered
+from planner.modes.wander import Wander
+from planner.river.rock_hop import RockHop
+from planner.script.scene import load_scene
+from sim.files.recording import Recorder
+from sim.files.studio import walked
+from sim.files.studio.keeping import world_for
+from sim.files.studio.writing import write_scene
+from sim.stage.commands import PlantTree, apply, steer
+from sim.stage.performance import Performance, Rehearsal
+from sim.stage.simulation import Simulation
+from worlds.errors import InputError
+from worlds.level import load_level
+
+NEAR = 0.03
+"""The live solver sees three steps ahead and the scene's all of them: so far their curves may differ [m], in the middle."""
+
+
+def run(level, planner, kind, seconds, count=1):
+    sim = Simulation(load_level(level), [load_character(kind)] * count, planner, seed=3)
+    sim.keep_footprints()
+    coms = []
+    for tick in range(int(60 * seconds)):
+        if isinstance(planner, Steered):
+            wish = ("walk", "run", "stand", "walk")[tick // 150 % 4]
+            steer(sim, 0.3, wish)
+        sim.tick()
+        coms.append(sim.com())
+    return sim, np.array(coms)
+
+
+@pytest.mark.parametrize(
+    "level, planner, kind",
+    [("forest", Wander, "human"), ("river_easy", RockHop, "bird"), ("forest", Steered, "human"), ("hills", Wander, "dinosaur")],
+)
+def test_a_run_becomes_the_same_walk(level, planner, kind, tmp_path):
+    sim, coms = run(level, planner(), kind, 14)
+    write_scene(walked.document_of_cast(sim), tmp_path / "walk.toml")
+    show = Performance(load_scene(tmp_path / "walk.toml"))
+    live, played = sim.walked().footprints, show.walked().footprints
+    assert (played.side == live.side).all() and len(live.side) > 10
+    assert np.array_equal(played.position, live.position) and np.allclose(played.heading, live.heading, atol=1e-12)
+    assert np.abs(played.contact_time[1:] - live.contact_time[1:]).max() < 1e-6
+    done = slice(1, -3)  # how long the last ones stand, nobody knows yet
+    assert np.allclose(played.stance_time[done], live.stance_time[done], atol=1e-6)
+    assert np.allclose(played.nominal_length[done], live.nominal_length[done], atol=1e-6)
+    times = np.arange(120, 60 * 12)
+    away = [np.linalg.norm(show.com((k + 1) / 60)[0] - coms[k, 0]) for k in times]
+    assert np.median(away) < NEAR and np.max(away) < 5 * NEAR
+    for name in ("trees", "rocks", "size", "terrain_parameters", "goal"):
+        assert np.array_equal(getattr(show.scene.world, name), getattr(sim.world, name)), name
+    assert show.scene.world.name == sim.world.name
+
+
+def test_a_recording_is_opened_as_the_run_was(tmp_path):
+    sim = Simulation(load_level("forest"), [load_character("human")] * 3, Wander(), seed=1)
+    recorder = Recorder(sim)
+    for tick in range(400):
+        sim.tick()
+        recorder.capture()
+        if tick == 200:
+            apply(sim, PlantTree(3.0, 3.0, 0.4))
+    recorder.save(tmp_path / "run.npz")
+    document = walked.document_in(tmp_path / "run.npz")
+    assert document == walked.document_of_cast(sim)
+    assert len(document.tracks) == 3 and len(document.head.tree) == len(sim.world.trees)
+    Rehearsal(document.tracks, world_for(document, None))
+
+
+def test_long_runs_of_many_keep_their_latest_footprints(monkeypatch):
+    monkeypatch.setattr(walked, "MOST_FOOTPRINTS", 40)
+    monkeypatch.setattr(walked, "MOST_TRACKS", 2)
+    sim, _ = run("forest", Wander(), "bird", 12, 4)
+    document = walked.document_of_cast(sim, 2)
+    nearest = np.linalg.norm(sim.com() - sim.com()[2], axis=1).argsort()[1]
+    ends = [track.footprint[-1].position for track in document.tracks]
+    newest = sim.feet().position[:, 1, :2]
+    assert ends == [tuple(newest[2]), tuple(newest[nearest])]
+    assert 20 < sum(len(track.footprint) for track in document.tracks) <= 42
+    show = Rehearsal(document.tracks, world_for(document, None))
+    live, since = sim.walked(), []
+    for c, k in enumerate((2, nearest)):
+        mine = show.acts[c].laid.footprints.contact_time[-1]
+        since.append(live.footprints.contact_time[live.character == k][-1] - mine)
+    assert np.isclose(*since)  # they keep their places in each other's time
+
+
+def test_what_has_not_begun_is_no_scene():
+    sim = Simulation(load_level("forest"), [load_character("bird")], Steered())
+    with pytest.raises(InputError, match="let it run"):
+        walked.document_of_cast(sim)
+
+
+def test_a_scene_that_is_played_is_that_scene():
+    scene = load_scene("sprint")
+    assert walked.document_of_cast(Performance(scene)).tracks == scene.tracks
