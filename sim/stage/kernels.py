@@ -13,18 +13,21 @@ from motion.pose.pose import empty_pose
 from motion.pose.posing import pose_one
 from motion.track.curve import Curve
 from motion.track.footprints import STEP, Footprints
+from planner.modes.people.visitors import Visiting
 from planner.modes.steer import Steered
 from planner.modes.wander import Wander
 from planner.river import search
 from planner.river.rock_hop import RockHop
 from planner.script import laying
-from planner.stepping import timing
+from planner.stepping import field, timing
 from sim.rows import crowd as crowds
 from sim.rows import posing, rounds
 from sim.stage.cast import TICK_RATE, Cast
 from worlds import queries
 from worlds.compiled.tables import empty
 from worlds.world import World
+
+PLANNERS: dict[str, Any] = {"wandering": Wander, "steering": Steered, "visiting": Visiting, "crossing": RockHop}
 
 
 def steps() -> dict[str, list[tuple[Any, tuple]]]:
@@ -39,9 +42,8 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
         "window solve": [(rounds.optimise_step, ())],
         "placing footprints": [(rounds.plan_step, ())],
         "going around others": [(rounds.go_around, ())],
-        "wandering": [(Wander.planning.part, ())],
-        "steering": [(Steered.planning.part, ())],
-        "crossing": [(RockHop.planning.part, ())],
+        **{name: [(planner.planning.part, ())] for name, planner in PLANNERS.items()},
+        "ways": [(field.lay_out, (biped, w, 0.0, matrix)), (field.sweep, (matrix, 0.0, matrix.astype(np.float32)))],
         "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), 0, 0.0, one))],
         "poses": [
             (pose_one, ()),

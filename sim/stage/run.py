@@ -76,4 +76,5 @@ class _Watch:
             "distance": float(self.sim.distance.mean()),
             "reached_goal": bool(there.all()),
             "seconds_to_goal": float(self.reached.max()) if there.all() else None,
+            **self.sim.counts(),
         }
