@@ -56,10 +56,13 @@ class Part(NamedTuple):
 
 def _parts(recording: Recording, c: int) -> list[Part]:
     """Character c in each of its casts; one that was too short to measure is left out."""
-    cast, time = recording.dimensions(c), recording.arrays["time"]
-    ends = [*(begin for begin, _ in cast[1:]), np.inf]
-    parts = [Part(c, k, (time > begin) & (time <= ends[k]), of) for k, (begin, of) in enumerate(cast)]
-    return [part for part in parts if part.frames.sum() > 2] or parts[:1]
+    stays, time, there = recording.stays(c), recording.arrays["time"], recording.present[:, c]
+    ends = [*(stay.time for stay in stays[1:]), np.inf]
+    parts = [
+        Part(c, stay.recasts, (time > stay.time) & (time <= end) & there, stay.dimensions)
+        for stay, end in zip(stays, ends, strict=True)
+    ]
+    return [part for part in parts if part.frames.sum() > 2] or ([] if "present" in recording.arrays else parts[:1])
 
 
 def _check(recording: Recording) -> None:
