@@ -13,8 +13,9 @@ ABREAST = 0.75
 """Metres between two who walk side by side."""
 PULL, MOST = 0.5, 0.6
 """Share of the way to its place that one is drawn by, per metre, and at most: in the unit of its course."""
-AHEAD, SLOWEST = 0.35, 0.45
-"""Who is a metre ahead of the middle takes steps that are shorter by this share; never shorter than SLOWEST of its own."""
+AHEAD, CALM, SLOWER, SLOWEST = 0.1, 0.75, 0.5, 0.45
+"""Who is further ahead of the middle than AHEAD [m] takes steps of CALM of its own, SLOWER less for each metre, at least
+SLOWEST: a wish that is hardly shorter than one's own step is none among others (planner.crowd.avoiding)."""
 LOST = 12.0
 """Who is further from its group than this [m] goes on alone."""
 
@@ -49,4 +50,5 @@ def _together(plans: Visits, moment: Moment, members: np.ndarray) -> None:
     seat = ABREAST * (order - 0.5 * (len(members) - 1))
     aside = seat - off @ left
     stops.draw[members] = np.clip(PULL * aside, -MOST, MOST)[:, None] * left
-    stops.pace[members] = np.clip(1 - AHEAD * np.maximum(off @ ahead, 0.0), SLOWEST, 1.0)
+    further = off @ ahead - AHEAD
+    stops.pace[members] = np.where(further > 0, np.maximum(CALM - SLOWER * further, SLOWEST), 1.0)

@@ -150,7 +150,7 @@ def cabins() -> tuple[World, Traffic]:
     return World("cabins", (24.0, 10.0), walls=lines), Traffic(source=sources, exit=exits)
 
 
-def two_exits(count: int = 90) -> tuple[World, Traffic]:
+def two_exits(count: int = 120) -> tuple[World, Traffic]:
     """RiMEA 11: a room of 20 by 12 m, doors of 1 m in the west and in the east; all are in its western half."""
     world = World("exits", (26.0, 14.0), walls=room((3.0, 1.0, 23.0, 13.0), [("west", 6.5, 7.5), ("east", 6.5, 7.5)]))
     exits = [Exit(name="near", area=box((0.2, 5.0, 1.6, 9.0))), Exit(name="far", area=box((24.4, 5.0, 25.8, 9.0)))]

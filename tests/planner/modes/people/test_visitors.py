@@ -101,6 +101,23 @@ def test_groups_stay_together():
     assert spread([0.001, 0.001, 1.0]) < spread([1.0]) and spread([0.001, 0.001, 1.0]) < 1.5
 
 
+def test_two_walk_abreast():
+    pairs = Population(name="pairs", groups=[0.001, 1.0])
+    yard = World("yard", (30.0, 8.0))
+    out = Exit(name="out", area=[(28.0, 1.0), (30.0, 7.0)])
+    tables = Traffic(population=[pairs], source=[Source(area=ROOM, at_first=2)], exit=[out])
+    sim, aside, along = Simulation(yard, [HUMAN] * 2, Visiting(tables), 5), [], []
+
+    def look(sim):
+        if sim.time > 6.0 and sim.present().all():
+            off = np.abs(np.diff(sim.com()[:, :2], axis=0)[0])
+            along.append(off[0])
+            aside.append(off[1])
+
+    until(sim, 18.0, look)
+    assert len(aside) > 200 and 0.6 < np.median(aside) < 0.95 and np.median(along) < 0.6
+
+
 def test_a_run_goes_on_to_the_bit_where_it_was_saved(tmp_path):
     families = [Population(name="families", groups=[1.0, 1.0], size=(1.0, 0.05))]
     sim, other = (hall(rows=8, population=families) for _ in range(2))
