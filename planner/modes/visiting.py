@@ -3,13 +3,15 @@
 A row is one who is there, or free for the next one; who decides that is planner.modes.people.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from planner.modes.walk_to import Stops, empty_stops, step_to_stop
 from planner.round.kernel import Compiled
 from planner.round.round import Me, Round, Wish
+from planner.stepping.timing import step_timing
+from worlds.compiled.jit import jit
 
 
 class Visits(NamedTuple):
@@ -47,6 +49,13 @@ def empty_visits(rows: int, sources: int, areas: int) -> Visits:
         np.zeros(c, whole), np.zeros(c, whole), np.zeros(c), np.full(c, -1, whole), np.zeros(sources),
         drawn, let_in, head, np.zeros(areas, whole), np.zeros(areas),
     )  # fmt: skip
+
+
+@jit
+def speeds_of(bipeds: Any, steps: np.ndarray, speeds: np.ndarray) -> None:
+    """Fills speeds (K,) [m/s] at which the first of `bipeds` walks in steps (K,) [m], when nothing hinders."""
+    for k in range(len(steps)):
+        speeds[k] = steps[k] / step_timing(bipeds[0], steps[k], 0.0, 0.0, False)[0]
 
 
 def _next_step(round: Round, me: Me) -> Wish:

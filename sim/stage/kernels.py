@@ -13,6 +13,7 @@ from motion.pose.pose import empty_pose
 from motion.pose.posing import pose_one
 from motion.track.curve import Curve
 from motion.track.footprints import STEP, Footprints
+from planner.modes import visiting
 from planner.modes.people.visitors import Visiting
 from planner.modes.steer import Steered
 from planner.modes.wander import Wander
@@ -63,6 +64,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
             (queries.survey, (w, np.zeros((2, 2)), matrix)),
             *((kernel, place) for kernel in (queries.clearance, queries.terrain_height, queries.in_water)),
         ],
+        "speeds of people": [(visiting.speeds_of, (bipeds, np.zeros(1), np.zeros(1)))],
         "stride law": [(timing.step_timing, (biped, 0.0, 0.0, 0.0, False, 0.0, True, 0.0))],
         "route search": [(search.find, (biped, spots, 0, 0))],
         "laying footprints": [(laying.lay_steps, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP), 0.0, 0.0))],

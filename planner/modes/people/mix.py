@@ -13,9 +13,9 @@ import numpy as np
 
 from motion.characters.character import Character, load_character
 from motion.characters.checks import faults
-from motion.characters.dimensions import Dimensions
+from motion.characters.dimensions import Dimensions, empty_bipeds
+from planner.modes.visiting import speeds_of
 from planner.stepping import random
-from planner.stepping.timing import step_timing
 from worlds.contents.traffic import Population
 from worlds.errors import InputError
 
@@ -25,8 +25,8 @@ CUT = 2.5
 """Nothing further from the mean is drawn, in deviations."""
 FINE, FINE_SIZE = 0.05, 0.04
 """Speeds [m/s] and sizes are drawn in steps of this: so that many share a kind of body."""
-SHORTEST = 0.25
-"""Nobody prefers steps shorter than this share of the character's."""
+SHORTEST, STEPS, NEAR = 0.25, 400, 0.02
+"""Nobody prefers steps shorter than this share of the character's; so many lengths are looked at; speeds come as near [m/s]."""
 Range = tuple[float, float]
 AGES: tuple[tuple[float, Range, Range], ...] = (
     (30.0, (0.93, 1.55), (1.11, 1.85)),
@@ -130,8 +130,25 @@ def _age(ages: list[tuple[float, float, float]], u: float, sex: float) -> tuple[
 
 def speed_of(biped: Dimensions) -> float:
     """The speed [m/s] at which a character walks when nothing hinders: that of its preferred step."""
-    step = float(biped.gait.preferred_step)
-    return step / step_timing(biped, step, 0.0, 0.0, False)[0]
+    step = np.array([float(biped.gait.preferred_step)])
+    return float(_speeds(biped, step)[0])
+
+
+def _speeds(biped: Dimensions, steps: np.ndarray) -> np.ndarray:
+    """(K,) speeds [m/s] of steps (K,) [m]."""
+    bipeds, speeds = empty_bipeds(1), np.empty_like(steps)
+    bipeds[0] = biped
+    speeds_of(bipeds, steps, speeds)
+    return speeds
+
+
+@cache
+def _sized(file: str, size: float) -> tuple[Character, np.ndarray, np.ndarray]:
+    """A character of another size, steps of it (K,) [m], and their speeds (K,) [m/s]."""
+    character = load_character(file, size)
+    shortest, longest = SHORTEST * character.biped.gait.preferred_step, character.biped.reach.max_step
+    steps = np.linspace(float(shortest), float(longest), STEPS)
+    return character, steps, np.maximum.accumulate(_speeds(character.biped, steps))
 
 
 @cache
@@ -140,22 +157,12 @@ def walker(file: str, size: float, speed: float, population: str) -> Character:
 
     Raises InputError where its steps would be too long or too short, or there is no such character.
     """
-    scaled = load_character(file, size)
-    biped = scaled.biped.copy()  # type: ignore[attr-defined]
-    own, longest = float(biped.gait.preferred_step), float(biped.reach.max_step)
-    low, high = SHORTEST * own, longest
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        biped.gait.preferred_step = middle
-        low, high = (middle, high) if speed_of(biped) < speed else (low, middle)
-    biped.gait.preferred_step = 0.5 * (low + high)
-    if abs(speed_of(biped) - speed) > 0.02 or faults(biped):
-        reached = []
-        for step in (SHORTEST * own, longest):
-            biped.gait.preferred_step = step
-            reached.append(speed_of(biped))
+    character, steps, speeds = _sized(file, size)
+    biped = character.biped.copy()  # type: ignore[attr-defined]
+    biped.gait.preferred_step = np.interp(speed, speeds, steps)
+    if not speeds[0] - NEAR <= speed <= speeds[-1] + NEAR or faults(biped):
         raise InputError(
-            f"population {population!r}: nobody like the {scaled.name}, {size:g} times as large, walks at {speed:.2f} m/s; "
-            f"{reached[0]:.2f} to {reached[1]:.2f} m/s are allowed, {CUT:g} deviations off the mean"
+            f"population {population!r}: nobody like the {character.name}, {size:g} times as large, walks at {speed:.2f} m/s; "
+            f"{speeds[0]:.2f} to {speeds[-1]:.2f} m/s are allowed, {CUT:g} deviations off the mean"
         )
-    return Character(scaled.name, biped, scaled.look)
+    return Character(character.name, biped, character.look)
