@@ -110,6 +110,13 @@ class Stay(NamedTuple):
         return Character.from_dict(self.dimensions, self.look)
 
 
+class Span(NamedTuple):
+    """Somebody, and when it was there."""
+
+    stay: Stay
+    frames: np.ndarray  # (F,) bool
+
+
 @dataclass(frozen=True)
 class Recording:
     """A recorded run: its arrays by name, its meta, and the world it ran in."""
@@ -159,6 +166,12 @@ class Recording:
             if isinstance(command, Recast) and command.character == c:
                 found.append(Stay(tick / plain["rate"], len(found), command.dimensions, command.look))
         return found
+
+    def spans(self, c: int) -> list[Span]:
+        """Whoever was in row c, each with the frames at which it was there."""
+        time, there, stays = self.arrays["time"], self.present[:, c], self.stays(c)
+        ends = [*(stay.time for stay in stays), np.inf][1:]  # none where nobody was
+        return [Span(stay, (time > stay.time) & (time <= end) & there) for stay, end in zip(stays, ends, strict=False)]
 
     def footprints(self, c: int, recasts: int = 0) -> Footprints:
         """The footprints (K,) of character c by contact time, of those after it had become another one so often."""

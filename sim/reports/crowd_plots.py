@@ -24,6 +24,8 @@ PEOPLE = (1.6, 2.1)
 OURS, THEIRS, OTHER = "#b5432f", "0.6", "#3b6fa0"
 DENSE = 2.0
 """The bottleneck of this width [m] is shown from above."""
+NOBODY = 0.02
+"""Less than so many per square metre are left white."""
 CELL, SMOOTH = 0.1, 0.4
 """Of maps of density: edge of a cell, and how far one is felt [m]."""
 
@@ -83,9 +85,9 @@ def plot_density(flow: Flow, path: str | Path) -> None:
     with matplotlib.rc_context(STYLE):
         figure, plane = _one(7.2, 7.2 * flow.world.size[1] / flow.world.size[0] + 0.6)
         map_of = plane.imshow(
-            count.T / len(frames) / CELL**2,
+            np.ma.masked_less(count.T / len(frames) / CELL**2, NOBODY),
             origin="lower",
-            extent=(0, flow.world.size[0], 0, flow.world.size[1]),
+            extent=(0, size[0] * CELL, 0, size[1] * CELL),
             cmap="magma_r",
         )
         figure.colorbar(map_of, ax=plane, label="people per square metre", shrink=0.8)

@@ -35,6 +35,8 @@ def measure(recording: Recording) -> dict:
     time = recording.arrays["time"]
     grounds, count = Grounds(recording), recording.arrays["com"].shape[1]
     characters = [_character(recording, part, grounds) for c in range(count) for part in _parts(recording, c)]
+    if not characters:
+        raise InputError("nobody is there at three frames or more: there is nothing to measure")
     seconds = float(time[-1] - time[0])
     return {
         "level": recording.meta["level"],
@@ -56,12 +58,7 @@ class Part(NamedTuple):
 
 def _parts(recording: Recording, c: int) -> list[Part]:
     """Character c in each of its casts; one that was too short to measure is left out."""
-    stays, time, there = recording.stays(c), recording.arrays["time"], recording.present[:, c]
-    ends = [*(stay.time for stay in stays[1:]), np.inf]
-    parts = [
-        Part(c, stay.recasts, (time > stay.time) & (time <= end) & there, stay.dimensions)
-        for stay, end in zip(stays, ends, strict=True)
-    ]
+    parts = [Part(c, stay.recasts, frames, stay.dimensions) for stay, frames in recording.spans(c)]
     return [part for part in parts if part.frames.sum() > 2] or ([] if "present" in recording.arrays else parts[:1])
 
 

@@ -56,13 +56,12 @@ def _whole(recording: Recording, time: np.ndarray) -> list[Part]:
 
 def _guests(recording: Recording, frames: np.ndarray) -> list[Part]:
     """Those who are there at two frames or more, in the order in which they came. Raises InputError where there are none."""
-    time, found = recording.arrays["time"][frames], []
-    for c in range(len(recording.meta["characters"])):
-        stays = recording.stays(c)
-        for stay, end in zip(stays, [*(one.time for one in stays[1:]), np.inf], strict=True):
-            there = recording.present[frames, c] & (time > stay.time) & (time <= end)
-            if there.sum() > 1:
-                found.append(Part(c, stay, there, stay))
+    found = [
+        Part(c, stay, there[frames], stay)
+        for c in range(len(recording.meta["characters"]))
+        for stay, there in recording.spans(c)
+        if there[frames].sum() > 1
+    ]
     if not found:
         raise InputError("nobody is there at two or more of these moments; give other times")
     return sorted(found, key=lambda part: (part.stay.time, part.row))
