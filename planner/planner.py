@@ -34,6 +34,35 @@ class Situation(NamedTuple):
     before: Any = None  # the plans so far; None at the start
 
 
+class Moment(NamedTuple):
+    """What a planner knows that lets people come and go; C rows, of whom some are there."""
+
+    time: float  # [s]
+    seed: int
+    world: World
+    characters: list[Character]  # who is, or was, in each row
+    place: np.ndarray  # (C, 2) of the centres of mass [m]
+    rest: np.ndarray  # (C, 2) where the bodies come to rest [m]
+    standing: np.ndarray  # (C,) bool
+
+
+class Coming(NamedTuple):
+    """One who comes into a free row, and stands there with its feet to either side of a place."""
+
+    row: int
+    character: Character
+    x: float  # [m]
+    y: float
+    heading: float  # [rad]
+
+
+class Turnover(NamedTuple):
+    """Who goes and who comes, at once."""
+
+    gone: np.ndarray  # (K,) rows
+    come: list[Coming]
+
+
 class NoWay(Exception):
     """The task itself cannot be done. `gap` tells what stops it: from, to, distance [m], reach [m], where one is known."""
 
@@ -67,6 +96,8 @@ class Planner(Protocol):
     # A planner that remembers may have check_plans(plans, characters), which raises ValueError for plans of a file that it has
     # not made: wrong shapes, or numbers that it would index by; arrived(plans), which tells (C,) who has come to where it
     # was to go, where not all fit onto the world's goal; and looks [m], how far its steps ask for others at least.
+    # One that lets people come and go has come_and_go(plans, Moment) -> Turnover, asked at times; there(plans, time),
+    # which tells (C,) who is there; and counts(plans), a table for the run's summary. Everyone is away at first.
 
 
 def as_numbers(values: Any, what: str) -> np.ndarray:

@@ -1,6 +1,6 @@
 """Walking to places: everyone goes to its own, one after the other, around whatever stands in the way."""
 
-from math import atan2, hypot
+from math import atan2, cos, hypot, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -9,12 +9,13 @@ from motion.characters.character import Character
 from planner.planner import Situation, as_numbers
 from planner.round.kernel import Compiled
 from planner.round.round import PATIENT, Me, Round, Wish, biped_of
-from planner.stepping.arriving import arrive, sees, walk_down, walk_on
+from planner.stepping.arriving import arrive, drawn, sees, walk_down, walk_on
 from planner.stepping.beside import Place, middle_beside
 from planner.stepping.field import fields_to
 from planner.stepping.footing import surely
-from planner.stepping.steering import free_way
+from planner.stepping.steering import Onward, free_way, lengthened
 from worlds import queries
+from worlds.arrays import STAIRS, WorldArrays
 from worlds.compiled.jit import jit_borrowing
 from worlds.errors import InputError
 from worlds.limits import LONGEST, number
@@ -37,11 +38,18 @@ class Stops(NamedTuple):
     fields: np.ndarray  # (G, rows, columns) ways to goals, float32 (planner.stepping.field)
     cell: np.ndarray  # (1,) edge of their cells [m]
     field: np.ndarray  # (C, P) which of them leads to a stop; -1: the way is straight
+    pace: np.ndarray  # (C,) share of its own step that each takes, at most 1
+    draw: np.ndarray  # (C, 2) added to the unit vector of its course: toward those with whom it walks
 
     @staticmethod
     def shared() -> tuple[str, ...]:
         """Columns of all characters together."""
         return "fields", "cell"
+
+    @staticmethod
+    def endless() -> tuple[str, ...]:
+        """Columns that may hold inf: no way leads from there."""
+        return ("fields",)
 
 
 @jit_borrowing
@@ -89,7 +97,30 @@ def _is_past(round: Round, me: Me, reached: int, middle: Place, abeam: float) ->
     return free_way(biped_of(round, me), round.world, x, y, atan2(dy, dx), margin, far) >= far
 
 
-def _next_step(round: Round, me: Me) -> Wish:
+@jit_borrowing
+def _straight(round: Round, me: Me, middle: Place, stop: Place, draw: Place) -> Onward:
+    """A step straight on to a stop, or beside that way toward those with whom one walks."""
+    if draw[0] != 0 or draw[1] != 0:
+        far = hypot(stop[0] - middle[0], stop[1] - middle[1])
+        course = drawn(draw, atan2(stop[1] - middle[1], stop[0] - middle[0]))
+        stop = (middle[0] + far * cos(course), middle[1] + far * sin(course))
+    return walk_on(biped_of(round, me), round.world, middle, me.feet.newer.heading, stop, round.seed, (me.c, me.number))
+
+
+@jit_borrowing
+def _tread_by_tread(world: WorldArrays, middle: Place, on: Onward) -> Onward:
+    """The step, which on straight stairs is no longer than a tread where it would take two (Fruin 1971: people take one)."""
+    if world.terrain_kind != STAIRS:
+        return on
+    rise, run = world.terrain[1], world.terrain[2]
+    here, there = queries.terrain_height(world, middle[0], middle[1]), queries.terrain_height(world, on.x, on.y)
+    if abs(there - here) < 1.5 * rise:
+        return on
+    return lengthened(on, middle, min(run / max(hypot(on.x - middle[0], on.y - middle[1]), 1e-9), 1.0))
+
+
+@jit_borrowing
+def step_to_stop(round: Round, me: Me) -> Wish:
     """The next step to the stop that comes next; a stop that was come to counts as reached once a real step is planned."""
     biped, foot, plans = biped_of(round, me), me.feet.newer, round.plans
     middle, reached = middle_beside(biped, foot), plans.reached[me.c]
@@ -101,19 +132,30 @@ def _next_step(round: Round, me: Me) -> Wish:
         return arrive(round, me, middle)
     at = stop_of(plans, me.c, reached + there)
     stop = (plans.stops[me.c, at, 0], plans.stops[me.c, at, 1])
-    field = plans.field[me.c, at]
+    field, draw = plans.field[me.c, at], (plans.draw[me.c, 0], plans.draw[me.c, 1])
     if field >= 0 and not sees(round, me, middle, stop):
-        on = walk_down(round, me, middle, plans.fields[field], plans.cell[0], stop)
+        on = walk_down(round, me, middle, plans.fields[field], plans.cell[0], stop, draw)
     else:
-        on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, (me.c, me.number))
+        on = _straight(round, me, middle, stop, draw)
+    on = _tread_by_tread(round.world, middle, on)
+    if plans.pace[me.c] < 1:
+        on = lengthened(on, middle, plans.pace[me.c])
     return surely(round, me, (on.x, on.y), on.heading, on.course, True)
 
 
-def _empty_stops(characters: int, stops: int) -> Stops:
+def _next_step(round: Round, me: Me) -> Wish:
+    return step_to_stop(round, me)
+
+
+def empty_stops(characters: int, stops: int) -> Stops:
+    """So many stops of so many characters, all at 0, 0, with no fields."""
     c = characters
     whole, none = np.zeros(c, np.int64), np.full((c, stops), -1, np.int64)
     fields = np.zeros((0, 1, 1), np.float32)
-    return Stops(np.zeros((c, 2)), np.zeros((c, stops, 2)), np.zeros(c, np.bool_), np.zeros(c), whole, fields, np.ones(1), none)
+    return Stops(
+        np.zeros((c, 2)), np.zeros((c, stops, 2)), np.zeros(c, np.bool_), np.zeros(c), whole, fields, np.ones(1), none,
+        np.ones(c), np.zeros((c, 2)),
+    )  # fmt: skip
 
 
 def _check_stops(stops: np.ndarray, world: World) -> None:
@@ -133,7 +175,7 @@ def _check_stops(stops: np.ndarray, world: World) -> None:
             raise InputError(f"stops.{c}.{p} at ({x:g}, {y:g}): {why}")
 
 
-_PLANNING = Compiled(_next_step, _empty_stops(1, 1))
+_PLANNING = Compiled(_next_step, empty_stops(1, 1))
 
 
 class WalkTo:
@@ -165,7 +207,7 @@ class WalkTo:
         """Plans for all; a stop that was reached stays reached. Raises InputError for stops where nobody can be."""
         if situation.before is None:
             _check_stops(self.stops, situation.world)
-        plans = _empty_stops(len(situation.characters), 1)
+        plans = empty_stops(len(situation.characters), 1)
         plans.again[:], plans.near[:] = self.again, self.near
         reached = plans.reached if situation.before is None else situation.before.reached
         widest = max((one.biped for one in situation.characters), key=lambda biped: float(biped.body.radius))

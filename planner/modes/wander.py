@@ -96,7 +96,7 @@ def _next_step(round: Round, me: Me) -> Wish:
     if _has_errand(round, me, middle):
         to = (goal[me.c, 0], goal[me.c, 1])
         if len(round.plans.fields) > 0 and not sees(round, me, middle, to):
-            on = walk_down(round, me, middle, round.plans.fields[0], round.plans.cell[0], to)
+            on = walk_down(round, me, middle, round.plans.fields[0], round.plans.cell[0], to, (0.0, 0.0))
         else:
             on = walk_on(biped, round.world, middle, foot.heading, to, round.seed, (me.c, me.number))
         return surely(round, me, (on.x, on.y), on.heading, on.course, True)

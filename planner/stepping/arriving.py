@@ -1,6 +1,6 @@
 """Walking to a place over open land, and coming to rest there."""
 
-from math import atan2, hypot
+from math import atan2, cos, hypot, sin
 
 import numpy as np
 
@@ -42,13 +42,19 @@ def walk_on(
 
 
 @jit_borrowing
-def walk_down(round: Round, me: Me, middle: Place, field: np.ndarray, cell: float, stop: Place) -> Onward:
-    """A step down the field of a stop, close by walls: it leads through doors."""
+def drawn(draw: Place, course: float) -> float:
+    """A course [rad], turned toward those with whom one walks."""
+    return course if draw[0] == 0 and draw[1] == 0 else atan2(sin(course) + draw[1], cos(course) + draw[0])
+
+
+@jit_borrowing
+def walk_down(round: Round, me: Me, middle: Place, field: np.ndarray, cell: float, stop: Place, draw: Place) -> Onward:
+    """A step down the field of a stop, close by walls: it leads through doors; draw: toward those with whom one walks."""
     biped, foot, (x, y) = biped_of(round, me), me.feet.newer, middle
     course = course_down(field, cell, x, y, atan2(stop[1] - y, stop[0] - x))
     right_first = random.uniform(round.seed, me.c, 0, random.SIDE) < 0.5
     margin, look = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01), AT_HAND * biped.gait.preferred_step
-    wanted = unwrapped(course, foot.heading)
+    wanted = unwrapped(drawn(draw, course), foot.heading)
     return step_within(biped, round.world, middle, foot.heading, wanted, look, right_first, margin)
 
 

@@ -56,6 +56,13 @@ def spread(slowness: np.ndarray, cell: float, x: float, y: float, field: np.ndar
             far = sqrt(((j + 0.5) * cell - x) ** 2 + ((i + 0.5) * cell - y) ** 2)
             if far <= AROUND * cell:
                 field[i, j] = far
+    sweep(slowness, cell, field)
+
+
+@jit
+def sweep(slowness: np.ndarray, cell: float, field: np.ndarray) -> None:
+    """Spreads what is known of a field (rows, columns) to all of it; it is inf where nothing is known yet."""
+    rows, columns = field.shape
     changed = True
     while changed:
         changed = False

@@ -14,8 +14,8 @@ from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
 
 STOPS = 0.3
-"""Share of the sole ahead of its middle where a foot presses first when it stops the body. Over the middle alone an upright body
-comes to rest only as fast as it would fall; people's toes brake it (Jian, Winter, Ishac, Gilchrist 1993)."""
+"""Share of the sole ahead of its middle where a foot presses first when it stops the body. Over the middle alone an upright
+body comes to rest only as fast as it would fall; people's toes brake it (Jian, Winter, Ishac, Gilchrist 1993)."""
 START_OVERLAP = 0.6
 """Shift of weight before the first step from standing, in pendulum times of the hip's height."""
 

@@ -7,9 +7,9 @@ from motion.characters.character import load_character
 from sim.stage.simulation import Simulation
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
-from worlds.level import load_level
+from worlds.level import load_level, load_traffic
 
-COMMANDS = {"RockHop": "river", "Steered": "steer"}
+COMMANDS = {"RockHop": "river", "Steered": "steer", "Visiting": "crowd"}
 """Which command a saved state belongs to, by its planner; all others: `wander`."""
 
 
@@ -27,6 +27,10 @@ def run(options: Any) -> None:
         load_level(options.level)
     if not options.restore or "character" in options.given:
         load_character(options.character)
+    if options.command == "crowd" and not options.restore and not load_traffic(options.level).source:
+        raise InputError(f"{options.level}: nobody comes in; `crowd` needs a [[source]] and an [[exit]] with areas")
+    if getattr(options, "mixed", False) and (options.restore or "character" in options.given):
+        raise InputError("--mixed: the level's populations say who walks; leave --character and --restore out")
 
 
 def restored(options: Any, sim: Simulation) -> None:

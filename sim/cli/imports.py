@@ -13,6 +13,7 @@ from sim.files import outputs
 from sim.files.imports.trackways.prints import Prints, read_prints
 from sim.files.imports.trackways.scenes import scene_of, site, text_of, walker
 from sim.files.imports.trackways.trackway import completed, in_words, report
+from sim.files.imports.trajectories.database import geometry_of
 from sim.files.imports.trajectories.people import read_ways
 from sim.files.imports.trajectories.ways import between
 from sim.files.imports.walking.crowding import procession
@@ -91,9 +92,10 @@ def trajectories(options: Any) -> int:
     character = options.character
     load_character(character)
     ways = between(read_ways(options.file, options.format, options.fps), options.between)
+    borders = geometry_of(options.file)
     options.level, options.given = Path(options.file).name, set()
 
     def make(level: str = options.level, character: str = character, seed: int = 0) -> Procession:
-        return procession(options.level, ways, load_character(character))
+        return procession(options.level, ways, load_character(character), borders)
 
     return show(options, make, [options.level], lambda: None)

@@ -16,6 +16,7 @@ DEFAULTS: dict[str, dict[str, Any]] = {
     "wander": {"level": "forest", "character": "bird", "characters": 1, "seed": 0},
     "steer": {"level": "forest", "character": "human", "characters": 1, "seed": 0},
     "river": {"level": "river_easy", "character": "bird", "characters": 1, "seed": 0},
+    "crowd": {"level": "concourse", "character": "human", "characters": 200, "seed": 0},
     "play": {"level": "fig01_steps_and_a_hop", "character": None, "characters": 1, "seed": 0},
 }
 """What is meant where nothing is typed; `given` keeps what was."""
@@ -80,6 +81,7 @@ def parser() -> argparse.ArgumentParser:
     _add_runs(commands)
     _add_reports(commands)
     _add_imports(commands)
+    _add_plans(commands)
     _add_batch(commands)
     _add_doors(commands)
     commands.add_parser("test", help="run the tests, in a checkout; further arguments go to pytest")
@@ -91,6 +93,7 @@ def _add_runs(commands: argparse._SubParsersAction) -> None:
     wander = commands.add_parser("wander", help="wander through a forest (the default)")
     river = commands.add_parser("river", help="cross a river on its rocks")
     steer = commands.add_parser("steer", help="drive a character by keys or gamepad; headless, by keys of chance")
+    crowd = commands.add_parser("crowd", help="people come into a level, wait, and go out, as its sources and exits say")
     play = commands.add_parser("play", help="play a scripted scene: footprints from a file")
     play.add_argument("level", nargs="?", metavar="SCENE", help="a scene that ships, or a .toml file")
     play.add_argument("--list", action="store_true", help="name the scenes that ship")
@@ -105,7 +108,11 @@ def _add_runs(commands: argparse._SubParsersAction) -> None:
     edit.add_argument("--latency", action="store_true", help="measure how long a drag takes from mouse to picture, and end")
     for job in (wander, steer, river, play):
         _common(job)
-    for job in (wander, steer, river):
+    _crowded(crowd)
+    wander.add_argument(
+        "--mixed", action="store_true", help="people as the level's populations say, each with a speed of its own"
+    )
+    for job in (wander, steer, river, crowd):
         job.add_argument("level", nargs="?", help="a level that ships, or a .toml file")
         job.add_argument("--save", metavar="STATE.npz", help="the state at the end, to go on from")
         job.add_argument("--restore", metavar="STATE.npz", help="go on from a saved state; --seconds counts from its beginning")
@@ -132,8 +139,10 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     literature.add_argument("--plot", metavar="OUT.png", help="draw the curves of a stride (.png, .svg, .pdf)")
     verify = commands.add_parser("verify", help="compare crowds with people: speed over density, bottlenecks, counterflow")
     verify.add_argument("--quick", action="store_true", help="few cases")
+    verify.add_argument("--case", type=values.index, metavar="N", help="only test N of the RiMEA guideline")
     verify.add_argument("--without", metavar="TERM", help="leave a term of the steps' costs out, such as headway")
     verify.add_argument("--trajectories", metavar="FOLDER", help="write where everyone went, as PedPy reads it")
+    verify.add_argument("--pictures", metavar="FOLDER", help="draw speeds, flows, lanes and where it is dense")
     check = commands.add_parser("check", help="check level, scene and character files; names every fault")
     check.add_argument("files", nargs="+", metavar="FILE")
     bench = commands.add_parser("bench", help="measure speed against other solvers")
@@ -167,6 +176,18 @@ def _add_imports(commands: argparse._SubParsersAction) -> None:
     people.add_argument("--character", default="human", help="bird, dinosaur, human, ostrich, or a .toml file")
     _shown(people)
     people.set_defaults(save=None, restore=None, seed=0, characters=1)
+
+
+def _add_plans(commands: argparse._SubParsersAction) -> None:
+    """Floor plans."""
+    plan = commands.add_parser("import-plan", help="make a level of a floor plan: walls of a .wkt or .dxf file")
+    plan.add_argument("file", metavar="FILE")
+    plan.add_argument(
+        "--scale", type=values.length, metavar="M", help="metres in a unit of the file; else 1, or as a drawing says"
+    )
+    plan.add_argument("--thickness", type=values.length, default=0.1, metavar="M", help="of the walls, metres")
+    plan.add_argument("--layers", nargs="+", metavar="NAME", help="only these layers of a drawing")
+    plan.add_argument("--out", required=True, metavar="LEVEL.toml")
 
 
 def _add_batch(commands: argparse._SubParsersAction) -> None:
@@ -205,6 +226,13 @@ def _common(job: argparse.ArgumentParser) -> None:
     job.add_argument("--characters", type=values.positive, metavar="N", help="how many")
     job.add_argument("--seed", type=values.seed, help="of chance; the same one is the same run")
     _shown(job)
+
+
+def _crowded(job: argparse.ArgumentParser) -> None:
+    job.add_argument("--characters", type=values.positive, metavar="N", help="so many at once, at most; others wait outside")
+    job.add_argument("--seed", type=values.seed, help="of chance; the same one is the same run")
+    _shown(job)
+    job.set_defaults(character=None)
 
 
 def _shown(job: argparse.ArgumentParser) -> None:

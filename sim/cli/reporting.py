@@ -68,10 +68,16 @@ def bench(options: Any) -> None:
 def verified(options: Any) -> None:
     """A line for each case; a figure that does not fit is no error of the command."""
     weights, folder, found = _weights(options.without), _folder(options.trajectories), []
-    for row in verifying.verify(options.quick, folder, weights):
+    if options.case is not None and options.case not in verifying.numbers():
+        known = ", ".join(str(number) for number in verifying.numbers())
+        raise InputError(f"--case {options.case}: of the RiMEA tests there are {known}")
+    album = _album(options.pictures)
+    for row in verifying.verify(options.quick and options.case is None, folder, weights, options.case, album and album.take):
         found.append(row)
         if not options.json:
             print(verifying.in_words(row), flush=True)
+    for path in album.draw() if album else []:
+        tell(f"wrote {path.resolve()}")
     fits = sum(row.fits for row in found)
     told = {"cases": [verifying.as_dict(row) for row in found], "fits": fits}
     print(json.dumps(told) if options.json else f"{fits} of {len(found)} fit")
@@ -112,12 +118,23 @@ def _weights(without: str | None) -> Weights:
 _TERM_OF = {"gap": "headway", "horizon": "touch", "distance": "near"}
 
 
-def _folder(wanted: str | None) -> Path | None:
+def _album(wanted: str | None) -> Any:
+    """What draws crowds into a folder, where there is matplotlib; None where no pictures are asked for."""
+    folder = _folder(wanted, "--pictures")
+    if folder is None:
+        return None
+    _plots()
+    from sim.reports.crowd_plots import Album
+
+    return Album(folder)
+
+
+def _folder(wanted: str | None, option: str = "--trajectories") -> Path | None:
     """The folder, made where it is missing. Raises InputError."""
     if wanted is None:
         return None
     try:
         Path(wanted).mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"--trajectories {wanted}: cannot be made: {error.strerror}") from None
+        raise InputError(f"{option} {wanted}: cannot be made: {error.strerror}") from None
     return Path(wanted)

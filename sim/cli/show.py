@@ -136,10 +136,19 @@ def _tell(options: Any, summary: dict, files: list[str]) -> None:
         f"{summary['level']}: {summary['seconds']:.1f} s, {summary['steps']} steps, {summary['distance']:.1f} m"
         + (f", goal reached after {summary['seconds_to_goal']:.1f} s" if summary["reached_goal"] else "")
     )
+    if "people" in summary:
+        print(_people_in_words(summary["people"]))
     if options.command == "river" and not summary["reached_goal"] and not stopping.asked():
         tell(f"It ends before the goal is reached: --seconds T, more than {summary['seconds']:g}, lets it go on.")
     for name in files:
         print(f"wrote {os.path.abspath(name)}")
+
+
+def _people_in_words(people: dict) -> str:
+    exits = ", ".join(f"{count} by {name}" for name, count in people["exits"].items())
+    return (
+        f"{people['came']} came, {people['went']} went ({exits}), {people['there']} are there, {people['outside']} wait outside"
+    )
 
 
 def edit(options: Any) -> int:

@@ -1,4 +1,4 @@
-"""`wander`, `steer` and `river`: from the start, or from a saved state."""
+"""`wander`, `steer`, `river` and `crowd`: from the start, or from a saved state."""
 
 from collections.abc import Callable
 from typing import Any
@@ -7,13 +7,13 @@ from sim.cli import agreeing
 from sim.cli.show import show
 from sim.stage.cast import Cast
 from sim.stage.commands import steer
-from sim.stage.making import make_simulation, make_steered
+from sim.stage.making import make_mixed, make_simulation, make_steered, make_visited
 from sim.stage.simulation import Simulation
-from worlds.level import level_names
+from worlds.level import level_names, visited_names
 
 
 def walk(options: Any) -> int:
-    """Wandering, going where the keys say, or crossing to a goal."""
+    """Wandering, going where the keys say, crossing to a goal, or coming and going."""
 
     def check() -> None:
         agreeing.run(options)
@@ -21,10 +21,18 @@ def walk(options: Any) -> int:
     def make(level: str = options.level, character: str = options.character, seed: int = options.seed) -> Simulation:
         if options.command == "steer":
             return make_steered(level, character, options.characters, seed)
+        if options.command == "crowd":
+            return make_visited(level, options.characters, seed)
+        if getattr(options, "mixed", False):
+            return make_mixed(level, options.characters, seed)
         return make_simulation(level, character, options.characters, seed, options.command == "river")
 
-    names = level_names(with_goal=options.command == "river")
-    return show(options, make, names, check, options.restore, _hands(options))
+    return show(options, make, _names(options.command), check, options.restore, _hands(options))
+
+
+def _names(command: str) -> list[str]:
+    """The levels that a command can go on to."""
+    return visited_names() if command == "crowd" else level_names(with_goal=command == "river")
 
 
 def _hands(options: Any) -> tuple[Callable[[Cast], None], ...]:

@@ -35,7 +35,7 @@ def replay_of(clip: Clip) -> Replay:
     rate = round(clip.rate)
     if abs(rate - clip.rate) > 1e-6 or rate < 10:
         raise InputError(f"--fps {clip.rate:g}: a film has a whole number of moments per second, 10 or more")
-    parts = [Part(actor.character, actor.pose, actor.footprints) for actor in clip.actors]
+    parts = [Part(actor.character, actor.pose, actor.footprints, actor.there) for actor in clip.actors]
     return Replay(clip.world, parts, clip.time, rate, clip.seed)
 
 

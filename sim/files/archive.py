@@ -129,8 +129,8 @@ def flat(prefix: str, table: tuple) -> Arrays:
 def unflat(prefix: str, model: Any, arrays: Arrays, rows: int | None = None) -> Any:
     """What `flat` made arrays of, of the model's types and shapes; where `rows` are given, of its dimensions, and so many rows.
 
-    Columns that the model's `shared()` names are of all together, and may have any number of rows. Floats must be finite.
-    Raises KeyError, ValueError.
+    Columns that the model's `shared()` names are of all together, and may have any number of rows. Floats must be finite, but
+    for columns that `endless()` names, which may hold inf. Raises KeyError, ValueError.
     """
     found = {}
     for name, expected in model._asdict().items():
@@ -142,7 +142,8 @@ def unflat(prefix: str, model: Any, arrays: Arrays, rows: int | None = None) -> 
         fits = array.shape == expected.shape if rows is None else array.ndim == expected.ndim and (free or len(array) == rows)
         if array.dtype != expected.dtype or not fits:
             raise ValueError(f"{key} is {array.dtype} {array.shape}")
-        if array.dtype.kind == "f" and not np.isfinite(array).all():
+        endless = name in getattr(type(model), "endless", tuple)()
+        if array.dtype.kind == "f" and not (np.isfinite(array) | (array == np.inf if endless else False)).all():
             raise ValueError(f"{key}: finite numbers are needed")
         found[name] = np.ascontiguousarray(array)
     return type(model)(**found)

@@ -15,6 +15,7 @@ from motion.track.footprints import Footprints
 from planner.script.turned import BoneKey
 from sim.files import archive
 from sim.files.frames import Frames
+from sim.files.guests import Guests
 from sim.files.schema import RunMeta, check_run
 from sim.stage.cast import Cast, Change
 from sim.stage.commands import Recast, from_plain
@@ -41,12 +42,14 @@ class Recorder:
         sim.keep_footprints()
         self.time: list[float] = []
         self._poses = {name: Frames(folder) for name in Pose._fields}
+        self._present, self._guests = Frames(folder), Guests(sim)
 
     def capture(self, time: float | None = None) -> None:
         """Adds the present moment, or another of the last step [s], as a frame."""
         time = self.sim.time if time is None else time
         for frames, values in zip(self._poses.values(), self.sim.snapshot(time), strict=True):
             frames.add(values)
+        self._present.add(self._guests.see(time))
         self.time.append(time)
 
     def arrays(self) -> dict[str, np.ndarray]:
@@ -57,6 +60,7 @@ class Recorder:
             "time": np.array(self.time),
             **frames,
             **self.sim.footprints.arrays(self.sim.crowd),
+            **({"present": self._present.array(len(self.time))} if self._guests.come_and_go else {}),
             "tree": world.arrays.trees,
             "rock": world.arrays.rocks,
             "wall": world.arrays.walls,
@@ -83,6 +87,7 @@ class Recorder:
             "world": sim.world.to_dict(heights=False),
             "first_world": None if sim.world is sim.first_world else sim.first_world.to_dict(heights=False),
             "changes": [change._asdict() for change in sim.changes],
+            **self._guests.meta(),
             "versions": {"python": platform.python_version(), **packages},
         }
 
@@ -91,11 +96,25 @@ class Recorder:
         archive.write(path, self.arrays(), self._meta())
 
 
-class Became(NamedTuple):
-    """Who a character has become."""
+class Stay(NamedTuple):
+    """Who was in a row of the crowd from a time on."""
 
     time: float  # after which it was so [s]
-    character: Character
+    recasts: int  # how many had been in the row before
+    dimensions: dict  # Character.to_dict
+    look: dict
+
+    @property
+    def character(self) -> Character:
+        """Who that is. Raises InputError."""
+        return Character.from_dict(self.dimensions, self.look)
+
+
+class Span(NamedTuple):
+    """Somebody, and when it was there."""
+
+    stay: Stay
+    frames: np.ndarray  # (F,) bool
 
 
 @dataclass(frozen=True)
@@ -128,14 +147,31 @@ class Recording:
                 found.append((tick / self.meta["rate"], world))
         return found
 
-    def dimensions(self, c: int) -> list[tuple[float, dict]]:
-        """The dimensions of character c, each with the time [s] after which they held: it may have been recast."""
-        found = [(-np.inf, self.meta["characters"][c])]
-        for tick, plain in self.changes:
-            command = from_plain(plain)
+    @cached_property
+    def present(self) -> np.ndarray:
+        """(F, C) bool: who is there at each frame."""
+        everyone = np.ones((len(self.arrays["time"]), len(self.meta["characters"])), bool)
+        return np.asarray(self.arrays.get("present", everyone))
+
+    def stays(self, c: int) -> list[Stay]:
+        """Who was in row c, one after the other: characters may be recast, and people come and go."""
+        plain = self.meta
+        looks = plain.get("looks") or [_look_of(one["name"]) for one in plain["characters"]]
+        found = [Stay(-np.inf, 0, plain["characters"][c], looks[c])]
+        if plain.get("visitors") is not None:
+            kinds, mine = plain["kinds"], [one for one in plain["visitors"] if one["character"] == c]
+            return [Stay(one["begin"], one["recasts"], *kinds[one["kind"]].values()) for one in mine]
+        for tick, change in self.changes:
+            command = from_plain(change)
             if isinstance(command, Recast) and command.character == c:
-                found.append((tick / self.meta["rate"], command.dimensions))
+                found.append(Stay(tick / plain["rate"], len(found), command.dimensions, command.look))
         return found
+
+    def spans(self, c: int) -> list[Span]:
+        """Whoever was in row c, each with the frames at which it was there."""
+        time, there, stays = self.arrays["time"], self.present[:, c], self.stays(c)
+        ends = [*(stay.time for stay in stays), np.inf][1:]  # none where nobody was
+        return [Span(stay, (time > stay.time) & (time <= end) & there) for stay, end in zip(stays, ends, strict=False)]
 
     def footprints(self, c: int, recasts: int = 0) -> Footprints:
         """The footprints (K,) of character c by contact time, of those after it had become another one so often."""
@@ -152,16 +188,6 @@ class Recording:
         """The hand keys of character c: its bones are those of its poses, turned by them."""
         every = self.meta.get("hand_keys") or []
         return [BoneKey(**key) for key in every[c]] if every else []
-
-    def cast(self, c: int) -> list[Became]:
-        """Who character c was, one after the other, each with the time [s] after which it was so. Raises InputError."""
-        looks = self.meta.get("looks") or [_look_of(plain["name"]) for plain in self.meta["characters"]]
-        found = [Became(-np.inf, Character.from_dict(self.meta["characters"][c], looks[c]))]
-        for tick, plain in self.changes:
-            command = from_plain(plain)
-            if isinstance(command, Recast) and command.character == c:
-                found.append(Became(tick / self.meta["rate"], Character.from_dict(command.dimensions, command.look)))
-        return found
 
 
 def _look_of(name: str) -> dict:

@@ -19,6 +19,7 @@ class Part(NamedTuple):
     character: Character
     pose: Pose  # (F,) one after the other
     footprints: Footprints  # (K,)
+    there: np.ndarray  # (F,) bool
 
 
 class Replay(Cast):
@@ -55,6 +56,11 @@ class Replay(Cast):
         """Centres of mass (C, 3) at the moment nearest to `time` [s], by default now."""
         frame = self._frame(time)
         return np.array([part.pose.com[frame] for part in self._parts])
+
+    def present(self, time: float | None = None) -> np.ndarray:
+        """(C,) bool: who is there at the moment nearest to `time` [s], by default now."""
+        frame = self._frame(time)
+        return np.array([part.there[frame] for part in self._parts])
 
     def walked(self) -> Walked:
         """All footprints of the run: they are seen from their contacts on."""

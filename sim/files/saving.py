@@ -122,7 +122,8 @@ def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulat
     crowd = archive.unflat(CROWD, empty_crowd(arrays[f"{CROWD}.kind"]), arrays)
     plans = _plans_of(planner, arrays, len(crowd.kind))
     cast = [kinds[k] for k in meta["kind"]]
-    check_crowd(crowd, kinds_of(cast)[1], meta["ticks"] / meta["tick_rate"])
+    time = meta["ticks"] / meta["tick_rate"]
+    check_crowd(crowd, kinds_of(cast)[1], time, _there(planner, plans, time, len(cast)))
     for name in ("recasts", "distance"):
         if len(meta[name]) != len(cast):
             raise ValueError(f"meta.{name}: {len(meta[name])} for {len(cast)} characters")
@@ -137,4 +138,11 @@ def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulat
     if meta["first_world"] is not None:
         sim.first_world = World.from_dict(meta["first_world"], arrays[HEIGHTS])
     sim.footprints.take(meta["steps"], meta["recasts"], kept)
+    sim.footprints.away[:] = ~sim.present()
     return sim
+
+
+def _there(planner: Planner, plans: Any, time: float, count: int) -> np.ndarray:
+    """(C,) bool: who is there at a time [s]."""
+    there = getattr(planner, "there", None)
+    return np.ones(count, bool) if there is None else there(plans, time)

@@ -56,7 +56,7 @@ class StateMeta(_Strict):
     tick_rate: Annotated[int, Field(ge=RATES[0], le=RATES[1])]
     seed: Annotated[int, Field(ge=0, le=MOST_SEED)]
     steps: Count
-    recasts: list[Count]
+    recasts: list[Annotated[int, Field(ge=-1, le=2**53)]]
     distance: list[Annotated[float, Field(ge=0, allow_inf_nan=False)]]
     world: Plain
     first_world: Plain | None
@@ -73,6 +73,15 @@ class _Key(_Strict):
     blend: Annotated[float, Field(gt=0, allow_inf_nan=False)]
 
 
+class Visitor(_Strict):
+    """One who came into a row of a run that people come into and go out of."""
+
+    character: Count  # the row
+    recasts: Count  # how many had been in it before
+    begin: Annotated[float, Field(allow_inf_nan=False)]  # [s]
+    kind: Count  # of the meta's kinds
+
+
 class RunMeta(BaseModel):
     """The meta of a recording; what later versions add is theirs."""
 
@@ -86,6 +95,8 @@ class RunMeta(BaseModel):
     world: Plain
     first_world: Plain | None = None
     changes: list[_Change] = []
+    visitors: list[Visitor] | None = None
+    kinds: list[_Kind] = []
 
 
 def check_columns(kind: type, arrays: Arrays, prefix: str, shape: tuple[int, ...]) -> None:
@@ -124,8 +135,9 @@ def check_prints(footprints: Footprints, said: str) -> None:
         raise ValueError(f"{said}normal: of length 1")
 
 
-def check_crowd(crowd: Crowd, kind: np.ndarray, horizon: float) -> None:
-    """Rows that kernels can go on from; kind (C,): whom they are of; horizon [s]: all are committed up to there."""
+def check_crowd(crowd: Crowd, kind: np.ndarray, horizon: float, there: np.ndarray) -> None:
+    """Rows that kernels can go on from; kind (C,): whom they are of; horizon [s]: all who are `there` (C,) are committed up to
+    that."""
     if not np.array_equal(crowd.kind, kind):
         raise ValueError("crowd.kind: others than meta tells")
     rows, curve, window = crowd.footprints.side.shape[1], crowd.committed, crowd.window
@@ -140,17 +152,18 @@ def check_crowd(crowd: Crowd, kind: np.ndarray, horizon: float) -> None:
         within(f"crowd.{name}.control", table.control, -FAR, FAR)
         within(f"crowd.{name}.time", table.time, -RUN_FROM, RUN_FROM)
     for c in range(len(kind)):
-        _check_row(crowd, c, horizon)
+        _check_row(crowd, c, horizon if there[c] else None)
 
 
-def _check_row(crowd: Crowd, c: int, horizon: float) -> None:
+def _check_row(crowd: Crowd, c: int, horizon: float | None) -> None:
     real, m = int(crowd.real[c]), int(crowd.segments[c])
     prints = Footprints(*(column[c, :real] for column in crowd.footprints))
     check_prints(prints, f"crowd.footprints.{c}: ")
     time, points = crowd.committed.time[c, : m + 1], crowd.window.time[c, : int(crowd.points[c])]
     if (np.diff(prints.contact_time) < 0).any() or (np.diff(time) <= 0).any() or (np.diff(points) <= 0).any():
         raise ValueError(f"crowd: times of character {c} must ascend")
-    if not horizon <= time[-1] <= horizon + LONGEST or crowd.committed.support[c, :m].max(initial=-1) >= real:
+    in_time = horizon is None or horizon <= time[-1] <= horizon + LONGEST
+    if not in_time or crowd.committed.support[c, :m].max(initial=-1) >= real:
         raise ValueError(f"crowd: character {c} is committed up to {time[-1]} s, on footprints that it has; it is {horizon} s")
 
 
@@ -189,7 +202,25 @@ def check_run(arrays: Arrays, meta: RunMeta) -> None:
     if len(arrays["time"]):
         check_columns(Pose, arrays, "", (len(arrays["time"]), count))
     within("phase", arrays.get("phase", np.zeros(0)), 0, 3)
-    check_log(arrays, [sum(_recasts(change, c) for change in meta.changes) for c in range(count)])
+    _check_visitors(arrays, meta)
+    check_log(arrays, [sum(_recasts(change, c) for change in meta.changes) + _visits(meta, c) for c in range(count)])
+
+
+def _check_visitors(arrays: Arrays, meta: RunMeta) -> None:
+    """Who is there in which frames, and who that is."""
+    present, count = arrays.get("present"), len(meta.characters)
+    if (present is None) != (meta.visitors is None):
+        raise ValueError("present and meta.visitors: both are needed, or none")
+    if present is None or meta.visitors is None:
+        return
+    if present.shape != (len(arrays["time"]), count) or present.dtype != np.bool_:
+        raise ValueError(f"present: truth of shape {(len(arrays['time']), count)} is needed")
+    if any(one.character >= count or one.kind >= len(meta.kinds) for one in meta.visitors):
+        raise ValueError("meta.visitors: a character or a kind that there is not")
+
+
+def _visits(meta: RunMeta, c: int) -> int:
+    return max((one.recasts for one in meta.visitors or () if one.character == c), default=0)
 
 
 def _recasts(change: _Change, c: int) -> bool:

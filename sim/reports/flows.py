@@ -151,5 +151,6 @@ def trajectories(flow: Flow) -> str:
     """The file that PedPy's load_trajectory_from_txt reads: number, frame, x, y, z [m] of everyone at every look."""
     lines = [f"# framerate: {PER_SECOND}", "# id frame x/m y/m z/m"]
     for c in range(flow.place.shape[1]):
-        lines += [f"{c + 1} {k} {x:.4f} {y:.4f} 0" for k, (x, y) in enumerate(flow.place[:, c].tolist())]
+        there = np.flatnonzero(~np.isnan(flow.place[:, c, 0])).tolist()
+        lines += [f"{c + 1} {k} {flow.place[k, c, 0]:.4f} {flow.place[k, c, 1]:.4f} 0" for k in there]
     return "\n".join(lines) + "\n"

@@ -35,6 +35,8 @@ def measure(recording: Recording) -> dict:
     time = recording.arrays["time"]
     grounds, count = Grounds(recording), recording.arrays["com"].shape[1]
     characters = [_character(recording, part, grounds) for c in range(count) for part in _parts(recording, c)]
+    if not characters:
+        raise InputError("nobody is there at three frames or more: there is nothing to measure")
     seconds = float(time[-1] - time[0])
     return {
         "level": recording.meta["level"],
@@ -56,10 +58,8 @@ class Part(NamedTuple):
 
 def _parts(recording: Recording, c: int) -> list[Part]:
     """Character c in each of its casts; one that was too short to measure is left out."""
-    cast, time = recording.dimensions(c), recording.arrays["time"]
-    ends = [*(begin for begin, _ in cast[1:]), np.inf]
-    parts = [Part(c, k, (time > begin) & (time <= ends[k]), of) for k, (begin, of) in enumerate(cast)]
-    return [part for part in parts if part.frames.sum() > 2] or parts[:1]
+    parts = [Part(c, stay.recasts, frames, stay.dimensions) for stay, frames in recording.spans(c)]
+    return [part for part in parts if part.frames.sum() > 2] or ([] if "present" in recording.arrays else parts[:1])
 
 
 def _check(recording: Recording) -> None:

@@ -24,7 +24,7 @@ FRAMES = 30
 KINDS = (".png", ".svg", ".pdf")
 SIDES = (phases.COLOURS[phases.LEFT_STANCE], phases.COLOURS[phases.RIGHT_STANCE])
 INK, GRID = "0.25", "0.9"
-_STYLE: Any = {
+STYLE: Any = {
     "font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "axes.labelcolor": INK,
     "xtick.color": INK, "ytick.color": INK, "text.color": INK, "axes.grid": True, "grid.color": GRID, "axes.axisbelow": True,
     "lines.linewidth": 1.3, "legend.frameon": False, "legend.fontsize": 8, "svg.hashsalt": "footfall",
@@ -41,7 +41,7 @@ def plot_run(recording: Recording, c: int, path: str | Path, between: tuple[floa
     a, footprints = frames_of(recording, c), recording.footprints(c)
     angles = joints.angles(a, dimensions["metatarsus"] > 0)
     heights = (1.2, 1.2, 1.2, *(1.2 for _ in angles), 0.7)
-    with matplotlib.rc_context(_STYLE):
+    with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(11, 1.3 * sum(heights)), layout="constrained")
         axes = figure.subplots(len(heights), 1, sharex=True, height_ratios=heights)
         _com((axes[0], axes[1]), time, a["com"], footprints, dimensions["hip_height"], shown)
@@ -54,7 +54,7 @@ def plot_run(recording: Recording, c: int, path: str | Path, between: tuple[floa
         axes[-1].set_xlabel("time [s]")
         figure.align_ylabels(axes)
         figure.suptitle(f"{dimensions['name']}, {recording.meta['level']}", fontsize=11, x=0.01, ha="left")
-        _write(figure, path)
+        write(figure, path)
 
 
 def _shown(time: np.ndarray, between: tuple[float, float] | None) -> slice:
@@ -128,7 +128,7 @@ def _stances(axis: Axes, time: np.ndarray, contact: np.ndarray, phase: np.ndarra
 
 def plot_timings(tables: dict[str, dict], path: str | Path) -> None:
     """Draws tables of sim.reports.timings over the step length, a column per character (paper, Fig. 12)."""
-    with matplotlib.rc_context(_STYLE):
+    with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(1 + 3.6 * len(tables), 7.5), layout="constrained")
         axes = figure.subplots(3, len(tables), squeeze=False, sharex="col", sharey="row", height_ratios=(1.6, 1, 1))
         for column, (name, table) in zip(axes.T, tables.items(), strict=True):
@@ -138,12 +138,12 @@ def plot_timings(tables: dict[str, dict], path: str | Path) -> None:
             axis.set_ylim(bottom=0)
         figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
         figure.align_ylabels(axes[:, 0])
-        _write(figure, path)
+        write(figure, path)
 
 
 def plot_strides(strides: dict[str, Cycle], people: dict, path: str | Path) -> None:
     """Draws hip, knee, ankle [deg] and force over a stride, a row per gait, beside curves of people where there are some."""
-    with matplotlib.rc_context(_STYLE):
+    with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(13, 3 * len(strides)), layout="constrained")
         axes = figure.subplots(len(strides), len(ANGLES) + 1, squeeze=False, sharex=True)
         for row, (gait_name, ours) in zip(axes, strides.items(), strict=True):
@@ -155,7 +155,7 @@ def plot_strides(strides: dict[str, Cycle], people: dict, path: str | Path) -> N
         for axis in axes[-1]:
             axis.set_xlabel("stride [%]")
         figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
-        _write(figure, path)
+        write(figure, path)
 
 
 def _stride(axis: Axes, percent: np.ndarray, values: np.ndarray, theirs: np.ndarray | None) -> None:
@@ -198,7 +198,7 @@ def _broken(values: list[float], kinds: np.ndarray) -> np.ndarray:
 def plot_crowds(crowds: dict[str, dict], path: str | Path) -> None:
     """Draws what `bench` tells of crowds (sim.bench.crowds.measure, by their counts): real time kept, and the costs' parts."""
     count, rows = [int(n) for n in crowds], list(crowds.values())
-    with matplotlib.rc_context(_STYLE):
+    with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(8, 3.4), layout="constrained")
         left, right = figure.subplots(1, 2)
         for key, style, label in (
@@ -219,7 +219,7 @@ def plot_crowds(crowds: dict[str, dict], path: str | Path) -> None:
         right.set_xticks(range(len(rows)), [f"{n:,}" for n in count])
         right.set(xlabel="characters", ylabel="core ms / character and simulated s")
         right.legend()
-        _write(figure, path)
+        write(figure, path)
 
 
 def writable_kind(path: str | Path) -> None:
@@ -228,7 +228,7 @@ def writable_kind(path: str | Path) -> None:
         raise InputError(f"{path}: the figure's name must end in {', '.join(KINDS)}")
 
 
-def _write(figure: Figure, path: str | Path) -> None:
+def write(figure: Figure, path: str | Path) -> None:
     """Writes the figure whole or not at all; the kind of file is that of its name."""
     writable_kind(path)
     with outputs.whole(path) as temporary:

@@ -7,14 +7,15 @@ flow of laboratory experiments; cases named RiMEA follow the guideline 4.1.1 (Ri
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
-from typing import NamedTuple
 
 from planner.round.weights import PEOPLE, Weights
 from sim.files.outputs import whole
 from sim.reports import flows
 from sim.reports.flows import Flow
-from sim.reports.people import Row
+from sim.reports.people import Case, Row
+from sim.reports.rimea import cases as rimea
 
+Seen = Callable[[Case, list[Flow], Row], None]
 RING_BANDS = {0.5: (1.20, 1.54), 1.0: (0.96, 1.47), 1.5: (0.71, 1.19), 2.0: (0.51, 1.01), 2.5: (0.35, 0.56), 3.0: (0.2, 0.4)}
 """Speeds [m/s] by density [1/m^2]."""
 NECKS = (0.9, 1.2, 2.0, 3.0)
@@ -23,29 +24,28 @@ LONGEST = 200.0
 """No case takes longer [s]."""
 
 
-class Case(NamedTuple):
-    """Something of which people's figure is known."""
-
-    name: str
-    unit: str
-    low: float
-    high: float
-    run: Callable[[Weights], Flow]
-    figure: Callable[[Flow], float]
-
-
 def cases(quick: bool) -> list[Case]:
     """All, or a few that are soon done."""
     seconds = 20.0 if quick else 40.0
-    corridor = Case("RiMEA 1: 40 m of corridor", "s", 26, 34, _corridor, lambda flow: float(flow.time[-1]))
-    corner = Case("RiMEA 6: 20 around a corner, places in walls", "", 0, 0, _corner, lambda flow: float(flows.in_walls(flow)))
+    corridor = Case("RiMEA 1: 40 m of corridor", "s", 26, 34, [_corridor], lambda all: float(all[0].time[-1]), 1)
+    corner = Case("RiMEA 6: 20 around a corner, places in walls", "", 0, 0, [_corner], _first(flows.in_walls), 6)
     rings = [
-        Case(f"RiMEA 4: speed at {density:g} per m^2", "m/s", *band, partial(_ring, density, seconds), flows.ring_speed)
+        Case(
+            f"RiMEA 4: speed at {density:g} per m^2",
+            "m/s",
+            *band,
+            [partial(_ring, density, seconds)],
+            _first(flows.ring_speed),
+            4,
+            shows="speeds",
+            at=density,
+        )
         for density, band in RING_BANDS.items()
     ]
     necks = [
-        Case(f"bottleneck {width:g} m wide: flow", "1/(m s)", 1.6, 2.1, partial(_neck, width, 50 if quick else 100),
-             partial(flows.specific_flow, width=width))
+        Case(f"bottleneck {width:g} m wide: flow", "1/(m s)", 1.6, 2.1, [partial(_neck, width, 50 if quick else 100)],
+             _first(partial(flows.specific_flow, width=width)), 0, "they start from standing, two steps late, as they get room",
+             "flows", width)
         for width in NECKS
     ]  # fmt: skip
     against = [
@@ -54,12 +54,21 @@ def cases(quick: bool) -> list[Case]:
             "s",
             0,
             limit,
-            partial(_against, count),
-            flows.last_through,
+            [partial(_against, count)],
+            _first(flows.last_through),
+            16,
+            "two streams jam before the gap",
+            "lanes",
         )
         for count, limit in ((20, 30.0), (60, 60.0))
     ]
-    return [corridor, rings[1], necks[2]] if quick else [corridor, corner, *rings, *necks, *against]
+    everything = sorted([corridor, corner, *rings, *rimea.cases()], key=lambda case: case.number)
+    return [corridor, rings[1], necks[2]] if quick else [*everything, *necks, *against]
+
+
+def _first(figure: Callable[[Flow], float]) -> Callable[[list[Flow]], float]:
+    """The figure of the only simulation of a case."""
+    return lambda all: float(figure(all[0]))
 
 
 def _corridor(weights: Weights) -> Flow:
@@ -83,21 +92,45 @@ def _against(count: int, weights: Weights) -> Flow:
     return flows.watched(sim, LONGEST, sim.world.size[0] / 2)
 
 
-def verify(quick: bool = False, folder: Path | None = None, weights: Weights = PEOPLE) -> Iterator[Row]:
-    """Row by row, as they come; trajectories are written into the folder, if there is one."""
+def numbers() -> list[int]:
+    """The RiMEA tests that there are."""
+    return sorted({case.number for case in cases(False)} - {0})
+
+
+def verify(
+    quick: bool = False, folder: Path | None = None, weights: Weights = PEOPLE, number: int | None = None,
+    seen: Seen | None = None,
+) -> Iterator[Row]:  # fmt: skip
+    """Row by row, as they come; trajectories are written into the folder, if there is one.
+
+    number: only that RiMEA test. seen: is shown every case, where its people went, and its row.
+    """
     for k, case in enumerate(cases(quick)):
-        flow = case.run(weights)
-        if folder is not None:
-            with whole(folder / f"{k + 1:02d}.txt") as path:
-                path.write_text(flows.trajectories(flow), encoding="utf-8")
-        yield Row(case.name, case.unit, case.figure(flow), case.low, case.high)
+        if number in (None, case.number):
+            found = [run(weights) for run in case.runs]
+            for i, flow in enumerate(found if folder is not None else []):
+                with whole(Path(str(folder)) / f"{k + 1:02d}{'abc'[i] if len(found) > 1 else ''}.txt") as path:
+                    path.write_text(flows.trajectories(flow), encoding="utf-8")
+            row = Row(case.name, case.unit, case.figure(found), case.low, case.high, case.why)
+            if seen is not None:
+                seen(case, found, row)
+            yield row
 
 
 def in_words(row: Row) -> str:
     """A line of the table."""
-    return f"{row.what:50} {row.told:>16}   people {row.low:g} to {row.high:g}   {row.verdict}"
+    why = f": {row.why}" if row.why and not row.fits else ""
+    return f"{row.what:58} {row.told:>16}   people {row.low:g} to {row.high:g}   {row.verdict}{why}"
 
 
 def as_dict(row: Row) -> dict:
     """A row for JSON."""
-    return {"name": row.what, "figure": row.value, "unit": row.unit, "low": row.low, "high": row.high, "fits": row.fits}
+    return {
+        "name": row.what,
+        "figure": row.value,
+        "unit": row.unit,
+        "low": row.low,
+        "high": row.high,
+        "fits": row.fits,
+        "why": "" if row.fits else row.why,
+    }

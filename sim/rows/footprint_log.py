@@ -32,7 +32,9 @@ class FootprintLog:
     def __init__(self, characters: int) -> None:
         self.steps = 0
         self.recasts = np.zeros(characters, np.int64)
-        """How often each character has become another one."""
+        """How often each character has become another one; -1: nobody has been in the row yet."""
+        self.away = np.zeros(characters, bool)
+        """In which rows nobody is."""
         self._chunks: list[Walked] | None = None
         self._most: int | None = None
 
@@ -67,6 +69,22 @@ class FootprintLog:
             self._chunks.append(self._gather(crowd, np.array([c, c]), crowd.real[c] - np.array([2, 1])))
         self.recasts[c] += 1
 
+    def let_go(self, crowd: Crowd, rows: np.ndarray) -> None:
+        """Takes the last two footprints of characters that go."""
+        if self._chunks is not None:
+            for back in (2, 1):
+                self._chunks.append(self._gather(crowd, rows, crowd.real[rows] - back))
+        self.away[rows] = True
+
+    def begin_away(self, rows: np.ndarray) -> None:
+        """Nobody has been in these rows yet."""
+        self.recasts[rows], self.away[rows] = -1, True
+
+    def come(self, c: int) -> None:
+        """Another one is in row c, which was free."""
+        self.recasts[c] += 1
+        self.away[c] = False
+
     def walked(self, crowd: Crowd) -> Walked:
         """All that is known, in the order of the contacts; a foot that stands on prolongs its footprint."""
         rows = _without_standing_on(self.rows(crowd))
@@ -74,8 +92,8 @@ class FootprintLog:
 
     def rows(self, crowd: Crowd) -> Walked:
         """The same with a row for each time that a foot stood on, character by character."""
-        everyone = np.arange(len(crowd.kind))
-        pending = [self._gather(crowd, everyone, crowd.real - 2), self._gather(crowd, everyone, crowd.real - 1)]
+        everyone = np.flatnonzero(~self.away)
+        pending = [self._gather(crowd, everyone, crowd.real[everyone] - back) for back in (2, 1)]
         rows = _joined((self._final(crowd) if self._chunks is None else self._chunks) + pending)
         return _sorted(rows, np.lexsort((rows.footprints.contact_time, rows.recasts, rows.character)))
 

@@ -140,6 +140,10 @@ class Cast:
         """(C,) bool: who is there at `time` [s], by default now; the others are not to be seen."""
         return np.ones(len(self.characters), bool)
 
+    def counts(self) -> dict:
+        """What the run's summary tells beyond what all runs have."""
+        return {}
+
     def skeleton(self, character: int) -> Skeleton:
         """The bones of a character at rest."""
         return skeleton_of(self.characters[asked.whole("character", character, 0, len(self.characters) - 1)])

@@ -13,18 +13,22 @@ from motion.pose.pose import empty_pose
 from motion.pose.posing import pose_one
 from motion.track.curve import Curve
 from motion.track.footprints import STEP, Footprints
+from planner.modes import visiting
+from planner.modes.people.visitors import Visiting
 from planner.modes.steer import Steered
 from planner.modes.wander import Wander
 from planner.river import grid, moves, search
 from planner.river.rock_hop import RockHop
 from planner.script import laying
-from planner.stepping import timing
+from planner.stepping import field, timing
 from sim.rows import crowd as crowds
 from sim.rows import posing, rounds
 from sim.stage.cast import TICK_RATE, Cast
 from worlds import queries
 from worlds.compiled.tables import empty
 from worlds.world import World
+
+PLANNERS: dict[str, Any] = {"wandering": Wander, "steering": Steered, "visiting": Visiting, "crossing": RockHop}
 
 
 def steps() -> dict[str, list[tuple[Any, tuple]]]:
@@ -39,9 +43,8 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
         "window solve": [(rounds.optimise_step, ())],
         "placing footprints": [(rounds.plan_step, ())],
         "going around others": [(rounds.go_around, ())],
-        "wandering": [(Wander.planning.part, ())],
-        "steering": [(Steered.planning.part, ())],
-        "crossing": [(RockHop.planning.part, ())],
+        **{name: [(planner.planning.part, ())] for name, planner in PLANNERS.items()},
+        "ways": [(field.lay_out, (biped, w, 0.0, matrix)), (field.sweep, (matrix, 0.0, matrix.astype(np.float32)))],
         "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), 0, 0.0, one))],
         "poses": [
             (pose_one, ()),
@@ -61,6 +64,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
             (queries.survey, (w, np.zeros((2, 2)), matrix)),
             *((kernel, place) for kernel in (queries.clearance, queries.terrain_height, queries.in_water)),
         ],
+        "speeds of people": [(visiting.speeds_of, (bipeds, np.zeros(1), np.zeros(1)))],
         "stride law": [(timing.step_timing, (biped, 0.0, 0.0, 0.0, False, 0.0, True, 0.0))],
         "route search": [(search.find, (biped, spots, land, 0, 0))],
         "laying footprints": [(laying.lay_steps, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP), 0.0, 0.0))],

@@ -65,15 +65,17 @@ class _Watch:
         self.all_there_since = (self.all_there_since or self.sim.time) if there.all() else None
 
     def summary(self) -> dict:
-        """The run summary of --json. distance [m] is the mean over the characters."""
-        there = ~np.isnan(self.reached)
+        """The run summary of --json. distance [m] is the mean over the characters, or over all who came."""
+        there, counts = ~np.isnan(self.reached), self.sim.counts()
+        people = counts["people"]["came"] if "people" in counts else len(self.sim.characters)
         return {
             "level": self.sim.world.name,
             "characters": len(self.sim.characters),
             "seed": self.sim.seed,
             "seconds": self.sim.time,
             "steps": self.sim.footprints.steps,
-            "distance": float(self.sim.distance.mean()),
+            "distance": float(self.sim.distance.sum() / max(people, 1)),
             "reached_goal": bool(there.all()),
             "seconds_to_goal": float(self.reached.max()) if there.all() else None,
+            **counts,
         }

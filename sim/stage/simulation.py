@@ -12,7 +12,7 @@ import numpy as np
 from motion.characters.character import Character
 from motion.track.footprints import LEFT, RIGHT, Footprints
 from planner.crowd.apart import check_apart
-from planner.planner import Planner, Situation, checked_starts
+from planner.planner import Coming, Moment, Planner, Situation, checked_starts
 from planner.round.kernel import ROUND
 from planner.round.refusals import nothing_refused, raise_refused
 from planner.round.reservations import empty_reservations
@@ -22,10 +22,13 @@ from planner.stepping.beside import beside
 from sim.rows import rounds
 from sim.rows.crowd import TENTATIVE, Crowd
 from sim.rows.posing import THREADS
-from sim.stage.cast import TICK_RATE, Cast, Change, kinds_of, table_of
+from sim.stage.cast import TICK_RATE, Cast, Change, Site, kinds_of, table_of
 from worlds.compiled.memory import Held
 from worlds.compiled.tables import copied, picked
 from worlds.world import World
+
+AWAY = -1e6
+"""Where the rows of those lie who are away [m]: nobody looks there."""
 
 
 class State(NamedTuple):
@@ -57,6 +60,7 @@ class Simulation(Cast):
             self._use(plans)
         self._publish_anew()
         if state is None:
+            self._come_and_go()
             self._plan()
 
     def _begin(self) -> None:
@@ -69,6 +73,9 @@ class Simulation(Cast):
         swapped = type(feet)(*(column[:, ::-1] for column in feet))
         number = np.full(len(self.characters), 3)
         self._use(self.planner.prepare(Situation(self.world, self.characters, swapped, number, self.seed)))
+        away = np.flatnonzero(~self.present())
+        self.footprints.begin_away(away)
+        self._put_away(away)
 
     def stand_beside(self, c: int, middle: tuple[float, float], heading: float) -> None:
         """Lets character c stand, from now on, with its feet to either side of a place [m, rad]."""
@@ -78,7 +85,85 @@ class Simulation(Cast):
     def tick(self) -> None:
         """One tick: whoever runs out of committed motion within it plans a step."""
         super().tick()
+        if self.ticks % self._every == 0:
+            self._come_and_go()
         self._plan()
+
+    def _come_and_go(self) -> None:
+        """Lets out who goes and lets in who comes, where the planner does such a thing."""
+        come_and_go = getattr(self.planner, "come_and_go", None)
+        if come_and_go is None:
+            return
+        rest = self.feet().position[:, :, :2].mean(axis=1)
+        moment = Moment(
+            self.time, self.seed, self.world, self.characters, self.com()[:, :2].copy(), rest, self.crowd.standing.copy()
+        )
+        gone, come = come_and_go(self.plans, moment)
+        if len(gone):
+            self.footprints.let_go(self.crowd, gone)
+            self._put_away(gone)
+            self._hide(gone)
+        if come:
+            self._let_in(come)
+
+    def _put_away(self, rows: np.ndarray) -> None:
+        """Rows of those who are away: they stand where they are, at rest for ever, and plan nothing."""
+        curve, feet = self.crowd.committed, self.feet()
+        for c in rows.tolist():
+            places = np.column_stack([feet.position[c, :, :2], feet.heading[c]])
+            number = int(self.crowd.number[c])
+            self.stand(c, int(feet.side[c, 1]), places)
+            self.crowd.number[c], self.crowd.segments[c] = number, 1
+            curve.time[c, 1], curve.control[c, 1] = curve.time[c, 0] + 1.0, curve.control[c, 0]
+            curve.support[c, 0, self.crowd.footprints.side[c, :2]] = (0, 1)
+
+    def _hide(self, rows: np.ndarray) -> None:
+        """Nobody sees the rows of those who are away, and they are never due."""
+        held = self.reservations
+        held.due[rows], held.foot[rows, :, 4], held.aim[rows], held.rank[rows] = np.inf, -np.inf, 0.0, 0.0
+        along = np.linspace(0.0, self.world.size[1], len(held.due))[rows]  # in many cells: none gets long
+        held.path[rows, :, 0], held.claim[rows, 0] = AWAY, AWAY
+        held.path[rows, :, 1], held.claim[rows, 1] = along[:, None], along
+
+    def _let_in(self, come: list[Coming]) -> None:
+        """Those who come stand in their rows, and the others see them."""
+        before = self.com()
+        for one in come:
+            number = int(self.crowd.number[one.row])
+            self.footprints.come(one.row)
+            self.characters[one.row] = one.character
+            self.stand_beside(one.row, (one.x, one.y), one.heading)
+            self.crowd.number[one.row], intents = max(number, 2), self.crowd.intents
+            intents.aim[one.row], intents.rank[one.row], intents.hindered[one.row] = 0.0, 0.0, 0
+        self.kinds, self.crowd.kind[:] = kinds_of(self.characters)
+        self.bipeds = table_of(self.kinds)
+        self._go_on_measuring(np.array([one.row for one in come]), before)
+        self._publish_anew()
+
+    def _go_on_measuring(self, rows: np.ndarray, before: np.ndarray) -> None:
+        """Rows are elsewhere from now on, which is no way that anybody has gone; before (C, 3): where they were [m]."""
+        if self._measured is not None:
+            way = np.linalg.norm((before - self._measured)[rows, :2], axis=1)
+            self.gone[rows] += way
+            self._measured[rows] = self.crowd.committed.control[rows, 0, :3]
+
+    def present(self, time: float | None = None) -> np.ndarray:
+        """(C,) bool: who is there at `time` [s], by default now."""
+        there = getattr(self.planner, "there", None)
+        return super().present(time) if there is None else there(self.plans, self.moment(time))
+
+    def counts(self) -> dict:
+        """Who came and went, where people do."""
+        counts = getattr(self.planner, "counts", None)
+        return {} if counts is None else {"people": counts(self.plans)}
+
+    @property
+    def site(self) -> Site | None:
+        """All of the world, where people come and go."""
+        if not hasattr(self.planner, "there"):
+            return None
+        size = np.array(self.world.size)
+        return Site(np.array([*(0.5 * size), 1.0]), float(0.42 * np.hypot(*size)))
 
     def _plan(self) -> None:
         """Rounds until nobody runs out of motion. Raises what a planner in Python raised, ValueError for bad wishes."""
@@ -144,6 +229,7 @@ class Simulation(Cast):
         weights = table_of_weights(self.weights, len(self.kinds))
         self._hold(Round(crowd.kind, self.bipeds, self.world.arrays, 0, reservations, crowd.intents, self.seed, weights))
         rounds.publish_all(self.work.address, np.arange(len(self.characters)))
+        self._hide(np.flatnonzero(~self.present()))
 
     def tentative(self, character: int) -> Footprints:
         """(K,) the footprints behind the newest that a character has guessed for its last plan; the next one forgets them."""

@@ -28,6 +28,7 @@ NEEDED = {
     "steer of many": ((SOLVE,), (*WALK, "steering", *SHOWN, OTHERS)),
     "river": ((SOLVE, "route search"), (*WALK, "crossing", *SHOWN)),
     "river of many": ((SOLVE, "route search"), (*WALK, "crossing", *SHOWN, OTHERS)),
+    "crowd": ((SOLVE,), (*WALK, "visiting", "ways", "speeds of people", *SHOWN, OTHERS)),
     "import-trajectories": (("whole curves", "stride law"), ("laying footprints", *SHOWN)),
     "play": (("whole curves",), ("laying footprints", *SHOWN)),
     "edit": (("whole curves", "edited curves"), ("laying footprints", *SHOWN)),

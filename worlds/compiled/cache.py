@@ -15,8 +15,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 _PACKAGES = ("motion", "worlds", "planner", "sim")
-_WITHOUT_KERNELS = {"cli", "export", "files", "learning", "reports", "view"}
-"""Rooms of `sim` that only call kernels: an edit there leaves what is compiled as it is."""
+_WITHOUT_KERNELS = {"cli", "export", "files", "learning", "people", "reports", "view"}
+"""Rooms that only call kernels: an edit there leaves what is compiled as it is."""
 _KEPT = 4
 """Folders of other sources that are left alone, the newest: going back to what was edited compiles nothing."""
 

@@ -1,7 +1,13 @@
 """What a well-formed level may still get wrong: things outside, in trees, in water."""
 
+import numpy as np
+
+from worlds.contents.traffic import Corner, corners
 from worlds.queries import border_clearance, in_water, tree_clearance, wall_clearance
 from worlds.world import World
+
+LEAST_AREA = 0.05
+"""Of a source, an exit or a waiting area [m^2]."""
 
 
 def faults(world: World) -> list[str]:
@@ -13,6 +19,18 @@ def faults(world: World) -> list[str]:
         for i, (x, y) in enumerate(discs[:, :2]):
             if border_clearance(world.arrays, x, y) < 0:
                 found.append(f"{key}.{i}.position = [{x:g}, {y:g}]: {_outside(world)}")
+    return found
+
+
+def area_faults(world: World, areas: dict[str, list[Corner]]) -> list[str]:
+    """Areas, by their keys, that are none or lie outside."""
+    found = []
+    for key, area in areas.items():
+        x, y = corners(area).T
+        if min(x.min(), y.min(), world.size[0] - x.max(), world.size[1] - y.max()) < 0:
+            found.append(f"{key} = {[list(corner) for corner in area]}: {_outside(world)}")
+        elif abs(np.dot(x, np.roll(y, 1)) - np.dot(y, np.roll(x, 1))) < 2 * LEAST_AREA:
+            found.append(f"{key} = {[list(corner) for corner in area]}: {LEAST_AREA:g} square metres or more are needed")
     return found
 
 

@@ -28,6 +28,7 @@ class Actor:
     footprints: Footprints  # (K,) in the order of their contacts, those of before and after the clip too
     colours: dict[str, np.ndarray]  # of its body, each (1, 3) red, green, blue in 0..1
     time: np.ndarray  # (F,) [s] of the run
+    there: np.ndarray  # (F,) bool: before it comes and after it has gone it stands where it came and went
     hand_keys: tuple[BoneKey, ...] = ()
 
     @property

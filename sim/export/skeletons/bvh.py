@@ -32,7 +32,7 @@ def bvh_of(actor: Actor, rate: float) -> str:
     text, channels = StringIO(), list[np.ndarray]()
     text.write("HIERARCHY\n")
     _write_joint(actor, 0, 0, text, channels)
-    rows = np.concatenate(channels, axis=1)
+    rows = np.concatenate(channels, axis=1)[actor.there]
     text.write(f"MOTION\nFrames: {len(rows)}\nFrame Time: {1 / rate:.8f}\n")
     np.savetxt(text, rows, fmt="%.5f")
     return text.getvalue()

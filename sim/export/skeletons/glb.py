@@ -91,7 +91,10 @@ def _linear(colour: np.ndarray) -> np.ndarray:
 
 
 def _add_animation(gltf: Gltf, actor: Actor, joints: list[int], elapsed: np.ndarray) -> None:
-    """What moves: the root's place, each bone's turn, and the heads of bones at the end of one that stretches."""
+    """What moves: the root's place, each bone's turn, and the heads of bones at the end of one that stretches.
+
+    Who is not there has no size.
+    """
     bones, skeleton = actor.bones, actor.skeleton
     time, samplers, channels = gltf.array(elapsed, "f4"), list[dict](), list[dict]()
 
@@ -108,6 +111,12 @@ def _add_animation(gltf: Gltf, actor: Actor, joints: list[int], elapsed: np.ndar
         more = (bones.stretch[:, above, None] - 1) * skeleton.offset[b] if b else np.zeros(1)
         if np.abs(more).max() > LITTLE:
             move(b, "translation", y_up(skeleton.offset[b] + more))
+    if not actor.there.all():
+        change = np.flatnonzero(np.diff(actor.there, prepend=~actor.there[0]))  # the moments at which it comes or goes
+        size = np.repeat(actor.there[change, None].astype(float), 3, axis=1)
+        output, times = gltf.array(size, "f4"), gltf.array(elapsed[change], "f4")
+        samplers.append({"input": times, "output": output, "interpolation": "STEP"})
+        channels.append({"sampler": len(samplers) - 1, "target": {"node": joints[0], "path": "scale"}})
     gltf.add("animations", name=actor.name, samplers=samplers, channels=channels)
 
 

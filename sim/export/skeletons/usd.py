@@ -62,7 +62,11 @@ def _add_actor(stage: Any, actor: Actor, skin: Skin) -> None:
     from pxr import UsdGeom, UsdSkel
 
     path = f"/{_word(actor.name)}"
-    UsdSkel.Root.Define(stage, path)
+    root = UsdSkel.Root.Define(stage, path)
+    if not actor.there.all():
+        seen, tokens = UsdGeom.Imageable(root).CreateVisibilityAttr(), UsdGeom.Tokens
+        for k in np.flatnonzero(np.diff(actor.there, prepend=~actor.there[0])).tolist():
+            seen.Set(tokens.inherited if actor.there[k] else tokens.invisible, k)
     skeleton = _add_skeleton(stage, f"{path}/skeleton", actor)
     animation = _add_animation(stage, f"{path}/animation", actor)
     UsdSkel.BindingAPI.Apply(skeleton.GetPrim()).CreateAnimationSourceRel().SetTargets([animation.GetPath()])

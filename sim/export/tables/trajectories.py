@@ -31,7 +31,9 @@ def export_text(clip: Clip, path: str, asked: Asked) -> None:
     with outputs.whole(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
         file.write(f"# Footfall {VERSION}: {clip.name}\n# {words.RATE}: {clip.rate:g}\n# id frame x/m y/m z/m\n")
         for actor in clip.actors:
-            rows = np.column_stack([np.full(len(clip.time), actor.index), np.arange(len(clip.time)), actor.pose.com])
+            rows = np.column_stack([np.full(len(clip.time), actor.index), np.arange(len(clip.time)), actor.pose.com])[
+                actor.there
+            ]
             np.savetxt(file, rows, fmt="%d %d %.6f %.6f %.6f")
 
 
@@ -62,7 +64,8 @@ def _fill(file: sqlite3.Connection, clip: Clip) -> None:
     for actor in clip.actors:
         rows = np.column_stack([actor.pose.com[:, :2], _ahead(actor)]).tolist()
         file.executemany(
-            f"INSERT INTO {words.TABLE} VALUES (?, ?, ?, ?, ?, ?)", ((k, actor.index, *r) for k, r in enumerate(rows))
+            f"INSERT INTO {words.TABLE} VALUES (?, ?, ?, ?, ?, ?)",
+            ((k, actor.index, *rows[k]) for k in np.flatnonzero(actor.there).tolist()),
         )
 
 
@@ -78,16 +81,17 @@ def export_footsteps(clip: Clip, path: str, asked: Asked) -> None:
     with outputs.whole(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
         own, step = words.FOOTSTEP[:2], words.FOOTSTEP[2:]
         file.write(f"{' '.join([*own, *(f'{name}-PID1' for name in step)])} targetId-PID2\n")
-        steps = [row for actor in clip.actors for row in _steps(actor, clip.time)]
+        steps = [row for actor in clip.actors for row in _steps(actor)]
         for begin, end, who, *places in sorted(steps):
             file.write(f"{who + 1:d} {begin:.6f} {end:.6f} {' '.join(f'{value:.6f}' for value in places)} -1\n")
 
 
-def _steps(actor: Actor, time: np.ndarray) -> list[tuple]:
+def _steps(actor: Actor) -> list[tuple]:
     """Begin and end [s], character, x and y at either [m] of each step within the clip, the first and last cut by its ends."""
+    time, com = actor.time[actor.there], actor.pose.com[actor.there]
     contact = actor.footprints.contact_time
     inside = np.unique(np.concatenate([time[:1], contact[(contact > time[0]) & (contact < time[-1])], time[-1:]]))
-    places = np.column_stack([np.interp(inside, time, actor.pose.com[:, k]) for k in range(2)]).tolist()
+    places = np.column_stack([np.interp(inside, time, com[:, k]) for k in range(2)]).tolist()
     return [
         (begin, end, actor.index, *here, *there)
         for (begin, end), (here, there) in zip(pairwise(inside.tolist()), pairwise(places), strict=True)

@@ -18,6 +18,16 @@ MISSING = ("", "na", "nan", "-")
 
 def text_of(path: str | Path, what: str, most: int = LARGEST) -> str:
     """What a text file holds. Raises InputError where it cannot be read, is too large, or is no text."""
+    raw = content_of(path, what, most)
+    try:
+        return raw.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        place = f"byte {error.start} is {raw[error.start]:#04x}"
+        raise InputError(f"{path}: is no text in UTF-8 ({place}); {what} is a text file") from None
+
+
+def content_of(path: str | Path, what: str, most: int = LARGEST) -> bytes:
+    """What a file holds. Raises InputError where it cannot be read or is too large."""
     try:
         raw = reading.content_of(Path(path), most)
     except IsADirectoryError:
@@ -27,11 +37,7 @@ def text_of(path: str | Path, what: str, most: int = LARGEST) -> str:
         raise InputError(f"{path}: cannot be read: {reason}{_beside(path)}") from None
     if raw is None:
         raise InputError(f"{path}: more than {most:,} bytes; {what} has at most that many")
-    try:
-        return raw.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        place = f"byte {error.start} is {raw[error.start]:#04x}"
-        raise InputError(f"{path}: is no text in UTF-8 ({place}); {what} is a text file") from None
+    return raw
 
 
 def _beside(path: str | Path) -> str:

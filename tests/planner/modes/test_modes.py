@@ -7,6 +7,7 @@ from motion.characters.character import load_character
 from motion.track.footprints import LEFT, RIGHT, Step
 from planner.modes.custom import Custom
 from planner.modes.external import External
+from planner.modes.people.visitors import Visiting
 from planner.modes.steer import Steered
 from planner.modes.walk_to import WalkTo
 from planner.modes.wander import Wander
@@ -17,6 +18,7 @@ from planner.round.round import Wish, standing
 from sim.stage.commands import Give, apply
 from sim.stage.simulation import Simulation
 from tests.examples.planner_in_python import in_a_circle
+from worlds.contents.traffic import Exit, Source, Traffic
 from worlds.errors import InputError
 from worlds.level import load_level
 from worlds.world import World
@@ -215,7 +217,8 @@ def test_an_impossible_task_says_so_before_anything_begins():
 
 
 def test_every_planner_that_ships_is_made_again_from_its_values():
-    made = (Wander(), RockHop(), WalkTo([(2, 5, 0.0)], [[(8, 5)]]), External([(2.0, 5.0, 0.0)]), Steered())
+    traffic = Traffic(source=[Source(area=[(0, 0), (1, 1)], rate=1.0)], exit=[Exit(name="out", area=[(8, 8), (9, 9)])])
+    made = (Wander(), RockHop(), WalkTo([(2, 5, 0.0)], [[(8, 5)]]), External([(2.0, 5.0, 0.0)]), Steered(), Visiting(traffic))
     assert {planner.name for planner in made} == set(PLANNERS)
     for planner in made:
         assert PLANNERS[planner.name](**planner.values()).values() == planner.values()

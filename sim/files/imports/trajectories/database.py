@@ -8,12 +8,15 @@ from pathlib import Path
 import numpy as np
 
 from sim.files.imports import texts
+from sim.files.imports.plans.wkt import plan_of
 from sim.files.imports.trajectories import formats
 from sim.files.imports.trajectories.ways import MOST_ROWS, Way, ways_of
 from worlds.errors import InputError
 
 LARGEST = 2_000_000_000
 """Bytes."""
+MOST_GEOMETRIES = 20
+"""Of a file: more are parts of a drawing that changes, and none is the one to show."""
 
 
 def is_database(path: str | Path) -> bool:
@@ -37,6 +40,31 @@ def read_database(path: str | Path, fps: float | None) -> list[Way]:
             return _ways(opened, fps)
     except (sqlite3.Error, OverflowError, UnicodeDecodeError) as error:
         raise InputError(f"is a damaged database: {error}") from None
+
+
+def geometry_of(path: str | Path) -> tuple[np.ndarray, ...]:
+    """Borders of where people could walk, each (P, 2) [m], as a database of JuPedSim tells; none in other files.
+
+    A box that is all of it tells no more than how far the ways reach, and is left out. Raises InputError.
+    """
+    if not is_database(path):
+        return ()
+    try:
+        with closing(sqlite3.connect(f"{Path(path).resolve().as_uri()}?mode=ro&immutable=1", uri=True)) as opened:
+            opened.execute("PRAGMA trusted_schema = OFF")
+            tables = {name for (name,) in opened.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+            if formats.GEOMETRY not in tables:
+                return ()
+            texts_of = opened.execute(f"SELECT wkt FROM {formats.GEOMETRY} LIMIT {MOST_GEOMETRIES}").fetchall()
+    except (sqlite3.Error, OverflowError, UnicodeDecodeError) as error:
+        raise InputError(f"{path}: is a damaged database: {error}") from None
+    found = [line for (text,) in texts_of for line in plan_of(str(text), f"{path}: {formats.GEOMETRY}").lines]
+    return () if len(found) == 1 and _is_box(found[0]) else tuple(found)
+
+
+def _is_box(ring: np.ndarray) -> bool:
+    corners = np.unique(np.round(ring, 6), axis=0)
+    return len(corners) == 4 and len(np.unique(corners[:, 0])) == len(np.unique(corners[:, 1])) == 2
 
 
 def _ways(opened: sqlite3.Connection, fps: float | None) -> list[Way]:

@@ -1,7 +1,7 @@
 """The words of other programs' files of trajectories, in one place: names of columns, tables and units.
 
 - JuPedSim's database (.sqlite), version 2: tables `trajectory_data` (frame, id, pos_x, pos_y, ori_x, ori_y) and `metadata`
-  (key, value), of which `fps` is asked for. Metres.
+  (key, value), of which `fps` is asked for; `geometry` (wkt), where people could walk. Metres.
 - JuPedSim's and PedPy's text: comments behind `#`, among them `framerate: 25` and the units, `x/m` or `x/cm`; then id,
   frame, x, y, and more that is not asked for.
 - Vadere's footsteps (.traj): a header, columns parted by spaces, whose names end in the number of a processor, as in
@@ -14,6 +14,7 @@
 JUPEDSIM, TEXT, VADERE, OBSMAT, PLAIN = FORMATS = ("jupedsim", "pedpy", "vadere", "obsmat", "plain")
 SQLITE_BEGINS = b"SQLite format 3\x00"
 TABLE, ROWS, META, FPS = "trajectory_data", ("id", "frame", "pos_x", "pos_y"), "metadata", "fps"
+GEOMETRY = "geometry"
 RATE, CENTIMETRES = "framerate", ("x/cm", "in cm")
 FOOTSTEP = ("pedestrianId", "simTime", "endTime", "startX", "startY", "endX", "endY")
 PLACE_OF_FOOTSTEP = ("pedestrianId", "simTime", "startX", "startY")

@@ -12,17 +12,24 @@ from sim.files.imports.walking.pace import pace_of
 from sim.files.imports.walking.procession import Procession
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
-from worlds.world import World
+from worlds.world import Wall, World
 
 MARGIN = 6.0
 """Ground around the ways [m]: who comes into sight walking has come from somewhere."""
+THIN = 0.02
+"""Walls that show a border [m]: people's feet come as near to it as they did."""
 TOLD = 100
 """After so many people a word is said of how far the fitting is."""
 
 
-def procession(name: str, ways: Sequence[Way], character: Character) -> Procession:
-    """Everybody as a character along its way. Raises InputError naming whoever cannot walk it."""
-    world, moved = _placed(name, ways)
+def procession(
+    name: str, ways: Sequence[Way], character: Character, borders: Sequence[np.ndarray] = ()
+) -> Procession:  # fmt: skip
+    """Everybody as a character along its way. Raises InputError naming whoever cannot walk it.
+
+    borders: of where people could walk, each (P, 2) [m]; they are shown as walls.
+    """
+    world, moved = _placed(name, ways, borders)
     pace, fitted, faults = pace_of(character), [], []
     for k, way in enumerate(moved):
         try:
@@ -37,10 +44,11 @@ def procession(name: str, ways: Sequence[Way], character: Character) -> Processi
     return Procession(world, fitted)
 
 
-def _placed(name: str, ways: Sequence[Way]) -> tuple[World, list[Way]]:
+def _placed(name: str, ways: Sequence[Way], borders: Sequence[np.ndarray]) -> tuple[World, list[Way]]:
     """A flat world with the ways in it: its corner is MARGIN before the least x and y."""
-    places = np.vstack([way.place for way in ways])
+    places = np.vstack([*(way.place for way in ways), *borders])
     corner = np.floor(places.min(axis=0) - MARGIN)
     size = np.ceil(places.max(axis=0) - corner + MARGIN)
     moved = [Way(way.name, way.time, way.place - corner, way.landed) for way in ways]
-    return World(name, (float(size[0]), float(size[1]))), moved
+    walls = tuple(Wall(border - corner, THIN) for border in borders)
+    return World(name, (float(size[0]), float(size[1])), walls=walls), moved

@@ -1,0 +1,157 @@
+"""Pictures of crowds beside people, by matplotlib (the extra `plots`): speeds, flows, where it is dense, lanes."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import matplotlib
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+
+from sim.reports.flows import Flow
+from sim.reports.people import Case, Row
+from sim.reports.plots import INK, STYLE, write
+from worlds.world import World
+
+FREE, STEEP, FULL = 1.34, 1.913, 5.4
+"""Weidmann 1993: v = FREE (1 - exp(-STEEP (1 / d - 1 / FULL))) at d people per square metre."""
+LABORATORY = {0.5: 1.54, 1.0: 1.47, 1.5: 1.19, 2.0: 1.01, 2.5: 0.56}
+"""Nine in ten of laboratory measurements lie below these speeds [m/s]."""
+PEOPLE = (1.6, 2.1)
+"""Flow of people through bottlenecks, per metre and second."""
+OURS, THEIRS, OTHER = "#b5432f", "0.6", "#3b6fa0"
+DENSE = 2.0
+"""The bottleneck of this width [m] is shown from above."""
+NOBODY = 0.02
+"""Less than so many per square metre are left white."""
+CELL, SMOOTH = 0.1, 0.4
+"""Of maps of density: edge of a cell, and how far one is felt [m]."""
+
+
+class Spot(NamedTuple):
+    """A figure at a density [1/m^2] or a width [m]."""
+
+    at: float
+    value: float
+
+
+def weidmann(density: np.ndarray) -> np.ndarray:
+    """Speed of people at a density [m/s]."""
+    return FREE * (1 - np.exp(-STEEP * (1 / density - 1 / FULL)))
+
+
+def plot_speeds(spots: Sequence[Spot], path: str | Path) -> None:
+    """Speed over density, with Weidmann's curve and the laboratories'."""
+    with matplotlib.rc_context(STYLE):
+        figure, axis = _one(4.8, 3.6)
+        density = np.linspace(0.3, 4.0, 200)
+        top = np.interp(density, list(LABORATORY), list(LABORATORY.values()))
+        shown = density <= max(LABORATORY)
+        axis.fill_between(density[shown], weidmann(density[shown]) - 0.1, top[shown], color=THEIRS, alpha=0.25, lw=0)
+        axis.plot(density, weidmann(density), color=THEIRS, label="people, Weidmann 1993")
+        axis.plot(list(LABORATORY), list(LABORATORY.values()), "_", color=INK, ms=9, label="nine in ten of laboratories below")
+        axis.plot(*np.array(spots).T, "o-", color=OURS, label="here")
+        axis.set(xlabel="people per square metre", ylabel="speed [m/s]", xlim=(0, 4), ylim=(0, 1.7))
+        axis.legend(loc="upper right")
+        write(figure, path)
+
+
+def plot_flows(spots: Sequence[Spot], path: str | Path) -> None:
+    """People per second over the width of a bottleneck, and the band of people."""
+    with matplotlib.rc_context(STYLE):
+        figure, axis = _one(4.8, 3.6)
+        width = np.array([0.0, 1.1 * max(spot.at for spot in spots)])
+        axis.fill_between(width, PEOPLE[0] * width, PEOPLE[1] * width, color=THEIRS, alpha=0.3, lw=0, label="people")
+        axis.plot([spot.at for spot in spots], [spot.at * spot.value for spot in spots], "o-", color=OURS, label="here")
+        axis.set(xlabel="width of the bottleneck [m]", ylabel="people per second", xlim=(0, width[1]), ylim=(0, None))
+        axis.legend(loc="upper left")
+        write(figure, path)
+
+
+def plot_density(flow: Flow, path: str | Path) -> None:
+    """Mean density of the middle third of the time, from above."""
+    frames = flow.place[len(flow.time) // 3 : 2 * len(flow.time) // 3 + 1]
+    size = np.ceil(np.array(flow.world.size) / CELL).astype(int)
+    there = frames[~np.isnan(frames[..., 0])]
+    edges = [np.arange(count + 1) * CELL for count in size]
+    count, *_ = np.histogram2d(there[:, 0], there[:, 1], bins=edges)
+    reach = np.arange(-int(3 * SMOOTH / CELL), int(3 * SMOOTH / CELL) + 1) * CELL
+    kernel = np.exp(-0.5 * (reach / SMOOTH) ** 2)
+    kernel /= kernel.sum()
+    for axis in (0, 1):
+        count = np.apply_along_axis(np.convolve, axis, count, kernel, "same")
+    with matplotlib.rc_context(STYLE):
+        figure, plane = _one(7.2, 7.2 * flow.world.size[1] / flow.world.size[0] + 0.6)
+        map_of = plane.imshow(
+            np.ma.masked_less(count.T / len(frames) / CELL**2, NOBODY),
+            origin="lower",
+            extent=(0, size[0] * CELL, 0, size[1] * CELL),
+            cmap="magma_r",
+        )
+        figure.colorbar(map_of, ax=plane, label="people per square metre", shrink=0.8)
+        _ground(plane, flow.world, there)
+        write(figure, path)
+
+
+def plot_lanes(flow: Flow, path: str | Path) -> None:
+    """Ways of everyone, from above, coloured by where they go: to the right, or to the left."""
+    with matplotlib.rc_context(STYLE):
+        figure, plane = _one(7.2, 3.4)
+        went = flow.place[-1, :, 0] - flow.place[0, :, 0]
+        for right, colour in ((True, OURS), (False, OTHER)):
+            ways = [flow.place[:, c] for c in np.flatnonzero((went > 0) == right)]
+            plane.add_collection(LineCollection(ways, colors=colour, linewidths=0.6, alpha=0.55))
+            plane.plot([], [], color=colour, label="to the right" if right else "to the left")
+        _ground(plane, flow.world, flow.place.reshape(-1, 2))
+        plane.legend(loc="upper right", ncols=2)
+        write(figure, path)
+
+
+def _one(width: float, height: float) -> tuple[Figure, Axes]:
+    figure = Figure(figsize=(width, height), layout="constrained")
+    return figure, figure.subplots()
+
+
+def _ground(plane: Axes, world: World, places: np.ndarray) -> None:
+    """Walls, and as much of the world as people are in."""
+    for wall in world.walls:
+        plane.plot(*wall.points.T, color=INK, lw=2, solid_capstyle="butt")
+    low, high = np.nanpercentile(places, 1, axis=0) - 2.0, np.nanpercentile(places, 99, axis=0) + 2.0
+    plane.set(xlim=(max(low[0], 0), min(high[0], world.size[0])), ylim=(max(low[1], 0), min(high[1], world.size[1])))
+    plane.set(aspect="equal", xlabel="x [m]", ylabel="y [m]")
+    plane.grid(False)
+
+
+class Album:
+    """Takes cases of `verify` as they come, and draws what they show."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._spots: dict[str, list[Spot]] = {"speeds": [], "flows": []}
+        self._flows: dict[str, Flow] = {}
+
+    def take(self, case: Case, found: list[Flow], row: Row) -> None:
+        """Keeps what is to be drawn of a case."""
+        if case.shows in self._spots:
+            self._spots[case.shows].append(Spot(case.at, row.value))
+        if case.shows == "lanes" and "lanes" not in self._flows:
+            self._flows["lanes"] = found[0]
+        if case.shows == "flows" and case.at == DENSE:
+            self._flows["density"] = found[0]
+
+    def draw(self) -> list[Path]:
+        """The pictures that were written: those of which there is something to draw."""
+        jobs: list[tuple[str, Callable[[Any, Path], None], Any]] = [
+            ("speeds", plot_speeds, self._spots["speeds"]),
+            ("flows", plot_flows, self._spots["flows"]),
+            ("lanes", plot_lanes, self._flows.get("lanes")),
+            ("density", plot_density, self._flows.get("density")),
+        ]
+        done = []
+        for name, plot, of in jobs:
+            if of:
+                done.append(self.folder / f"crowd_{name}.png")
+                plot(of, done[-1])
+        return done
