@@ -1,6 +1,6 @@
 """Walking to places: everyone goes to its own, one after the other, around whatever stands in the way."""
 
-from math import atan2, hypot
+from math import atan2, cos, hypot, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -28,6 +28,8 @@ AT_HAND = 0.2
 """Down a field one looks so many preferred steps ahead: it knows of what lies beyond."""
 SIGHT = 6.0
 """A stop that is nearer than so many preferred steps, and to be seen, is walked to straight."""
+FORESIGHT, GLANCE = 3.0, 0.4
+"""Others are told where the way leads in so many preferred steps, found in steps of so many."""
 ABEAM = 0.7
 """Whom others hinder has passed a stop on the way once the cosine between its direction and the leg to it is below this."""
 
@@ -108,6 +110,18 @@ def _by_field(round: Round, me: Me, middle: Place, stop: int) -> Onward:
 
 
 @jit_borrowing
+def _tell_ahead(round: Round, me: Me, middle: Place, stop: int) -> None:
+    """Sets the intent of where the way down the field of a stop leads in FORESIGHT preferred steps."""
+    plans, stride, (x, y) = round.plans, biped_of(round, me).gait.preferred_step, middle
+    goal, field, cell = plans.stops[me.c, stop], plans.fields[plans.field[me.c, stop]], plans.cell[0]
+    for _ in range(int(FORESIGHT / GLANCE)):
+        course = course_down(field, cell, x, y, atan2(goal[1] - y, goal[0] - x))
+        x, y = x + GLANCE * stride * cos(course), y + GLANCE * stride * sin(course)
+    far = max(hypot(x - middle[0], y - middle[1]), 1e-9)
+    round.intents.ahead[me.c, 0], round.intents.ahead[me.c, 1] = (x - middle[0]) / far, (y - middle[1]) / far
+
+
+@jit_borrowing
 def _sees(round: Round, me: Me, middle: Place, stop: Place) -> bool:
     """Whether the straight way to a stop is near and free, so that no field is needed."""
     biped, dx, dy = biped_of(round, me), stop[0] - middle[0], stop[1] - middle[1]
@@ -120,6 +134,7 @@ def _next_step(round: Round, me: Me) -> Wish:
     """The next step to the stop that comes next; a stop that was come to counts as reached once a real step is planned."""
     biped, foot, plans = biped_of(round, me), me.feet.newer, round.plans
     middle, reached = middle_beside(biped, foot), plans.reached[me.c]
+    round.intents.ahead[me.c, 0] = round.intents.ahead[me.c, 1] = 0.0
     if me.real and not is_last_stop(plans, me.c, reached) and is_there(round, me, reached, middle):
         reached += 1
         plans.reached[me.c] = reached
@@ -128,10 +143,11 @@ def _next_step(round: Round, me: Me) -> Wish:
         return arrive(round, me, middle)
     at = stop_of(plans, me.c, reached + there)
     stop = (plans.stops[me.c, at, 0], plans.stops[me.c, at, 1])
-    if plans.field[me.c, at] >= 0 and not _sees(round, me, middle, stop):
-        on = _by_field(round, me, middle, at)
-    else:
+    if plans.field[me.c, at] < 0 or _sees(round, me, middle, stop):
         on = walk_on(biped, round.world, middle, foot.heading, stop, round.seed, (me.c, me.number))
+    else:
+        on = _by_field(round, me, middle, at)
+        _tell_ahead(round, me, middle, at)
     return surely(round, me, (on.x, on.y), on.heading, on.course, True)
 
 

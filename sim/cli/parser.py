@@ -130,7 +130,7 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     literature.add_argument("--plot", metavar="OUT.png", help="draw the curves of a stride (.png, .svg, .pdf)")
     verify = commands.add_parser("verify", help="compare crowds with people: speed over density, bottlenecks, counterflow")
     verify.add_argument("--quick", action="store_true", help="few cases")
-    verify.add_argument("--without", metavar="TERM", help="leave a term of the steps' costs out, such as headway")
+    verify.add_argument("--without", metavar="TERM", help="leave a term of the steps' costs out, such as touch")
     verify.add_argument("--trajectories", metavar="FOLDER", help="write where everyone went, as PedPy reads it")
     check = commands.add_parser("check", help="check level, scene and character files; names every fault")
     check.add_argument("files", nargs="+", metavar="FILE")
