@@ -3,30 +3,46 @@
 Forward, a step is as long as the preferred one; to the side and back it is SHORTER: lengths lie on an ellipse about the newest
 foot's heading (the discs and rings of Seitz & Koster's optimal steps model 2012, with the legs' own reach). The foot turns into
 the direction as far as a step allows, and stays as it is for steps aside and back.
+
+Which of them are free is the hard guarantee, whatever a step costs: its sole keeps off all that the others hold, and its body
+comes to rest, and on its way is, where it touches nobody (for bodies that are too close already: where it comes no closer).
 """
 
-from math import cos, hypot, pi, sin, sqrt
+from math import atan2, cos, hypot, inf, pi, sin, sqrt
 from typing import NamedTuple
+
+import numpy as np
 
 from motion.arithmetic.angles import wrapped
 from motion.characters.dimensions import Dimensions
+from motion.track.footprints import Foot
+from planner.crowd.bodies import gap_between
 from planner.crowd.walker import Walker
+from planner.round import reservations
+from planner.round.round import Round
+from planner.round.soles import sole_of
 from planner.stepping import timing
 from planner.stepping.beside import Place, beside
+from planner.stepping.footing import FINE, needs_care, why_not_step
+from planner.stepping.steering import free_way
+from worlds import queries
 from worlds.compiled.jit import jit_borrowing
 
 DIRECTIONS = (0.0, 0.2, -0.2, 0.45, -0.45, 0.75, -0.75, 1.1, -1.1, 1.6, -1.6, 2.3, -2.3, 3.14)
 """Off the wished course [rad]."""
-LENGTHS = (1.0, 0.8, 0.62, 0.46, 0.32, 0.2, 0.1)
-"""In the longest of a direction."""
 SHORTER, TURNS_TO = 0.5, 1.3
 """Steps aside and back, in preferred ones; into directions further off the heading than this [rad] one steps aside."""
 CROSSING = 0.4
 """A foot that comes down beside the other one stays on its own side, by so many step widths."""
 QUICK = 1.5
 """Longest step time among others, in pendulum times: short steps are quick ones."""
-CANDIDATES = len(DIRECTIONS) * len(LENGTHS) + 1
-"""How many there are, and the number of standing; 0 is the wish."""
+
+FOOT_MARGIN = 0.01
+"""Room kept between soles [m]."""
+GRAZE = 0.02
+"""Bodies that are too close already may come so much closer [m] on their way to where they are not."""
+LOOKS = 4
+"""Moments of a step at which bodies are looked at."""
 
 
 class Candidate(NamedTuple):
@@ -57,15 +73,27 @@ def longest(biped: Dimensions, slant: float) -> float:
 
 
 @jit_borrowing
-def candidate(biped: Dimensions, walker: Walker, k: int) -> Candidate:
-    """Candidate k > 0: LENGTHS of the first direction, then of the next."""
-    direction = walker.course + DIRECTIONS[(k - 1) // len(LENGTHS)]
-    off, most = wrapped(direction - walker.heading), biped.reach.max_turn
-    turn = min(max(off, -most), most) if abs(off) < TURNS_TO else 0.0
-    heading = walker.heading + turn
-    length = longest(biped, off - turn) * (1 - 0.4 * (turn / most) ** 2) * LENGTHS[(k - 1) % len(LENGTHS)]
+def _turned(biped: Dimensions, walker: Walker, k: int) -> float:
+    """How far the foot turns in direction k [rad]: into it, if it is before one or that turns to the course, too."""
+    off, most = wrapped(walker.course + DIRECTIONS[k] - walker.heading), biped.reach.max_turn
+    back = off * wrapped(walker.course - walker.heading) > 0 and abs(DIRECTIONS[k]) < TURNS_TO
+    return min(max(off, -most), most) if abs(off) < TURNS_TO or back else 0.0
+
+
+@jit_borrowing
+def longest_in(biped: Dimensions, walker: Walker, k: int) -> float:
+    """The longest step in direction k [m]."""
+    turn = _turned(biped, walker, k)
+    off = wrapped(walker.course + DIRECTIONS[k] - walker.heading)
+    return longest(biped, off - turn) * (1 - 0.4 * (turn / biped.reach.max_turn) ** 2)
+
+
+@jit_borrowing
+def candidate(biped: Dimensions, walker: Walker, k: int, length: float) -> Candidate:
+    """A step of a length [m] in direction k."""
+    direction = walker.course + DIRECTIONS[k]
     x, y = walker.x + length * cos(direction), walker.y + length * sin(direction)
-    return candidate_to(biped, walker, (x, y), heading)
+    return candidate_to(biped, walker, (x, y), walker.heading + _turned(biped, walker, k))
 
 
 @jit_borrowing
@@ -75,3 +103,56 @@ def crosses(biped: Dimensions, walker: Walker, step: Candidate) -> bool:
     ahead, left = dx * cos(mean) + dy * sin(mean), dy * cos(mean) - dx * sin(mean)
     aside = left if walker.side == 0 else -left
     return aside < (CROSSING if abs(ahead) < biped.foot.length else -0.5) * biped.gait.step_width
+
+
+@jit_borrowing
+def is_open(round: Round, walker: Walker, step: Candidate) -> bool:
+    """Whether a step keeps off trees, walls and water."""
+    world, length = round.world, hypot(step.x - walker.x, step.y - walker.y)
+    biped = round.bipeds[round.kind[walker.c]]
+    if length > 0:
+        course = atan2(step.y - walker.y, step.x - walker.x)
+        if queries.clearance(world, step.x, step.y) < walker.margin:
+            return False
+        if free_way(biped, world, walker.x, walker.y, course, walker.margin - 0.01, length) < length:
+            return False
+    if needs_care(biped, world, walker.foot_x, walker.foot_y):
+        foot = Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
+        return why_not_step(biped, world, foot, step.foot_x, step.foot_y, step.heading) == FINE
+    return True
+
+
+@jit_borrowing
+def _gap_to(held: reservations.Reservations, walker: Walker, j: int, time: float, at: Place, face: Place) -> float:
+    """The gap between j's body at a time [s] and mine at a place [m], facing in the direction of that unit vector."""
+    jx, jy = reservations.place_on_path(held, j, time, reservations.COMMITTED - 1)
+    mine, (x, y) = (walker.deep, walker.wide), at
+    its, looks = (held.half[j, 0], held.half[j, 1]), (held.face[j, 0], held.face[j, 1])
+    return gap_between(mine, face, its, looks, jx - x, jy - y)
+
+
+@jit_borrowing
+def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> bool:
+    """Whether a step keeps off all that the others hold; where bodies are too close already, it may part them."""
+    held = round.reservations
+    rest_x, rest_y = 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y)
+    sole = sole_of(held.sole, walker.c, step.foot_x, step.foot_y, step.heading)
+    facing, face = 0.5 * (walker.heading + step.heading), (walker.face_x, walker.face_y)
+    turned = (cos(facing), sin(facing))
+    far = walker.wide + hypot(rest_x - walker.rest_x, rest_y - walker.rest_y) + walker.full * step.time
+    for j in near:
+        if not reservations.foot_is_free(held, j, sole, FOOT_MARGIN, walker.time + step.time):
+            return False
+        last = held.path[j, reservations.COMMITTED - 1]
+        reach = far + max(held.half[j, 0], held.half[j, 1])
+        if abs(last[0] - rest_x) > reach or abs(last[1] - rest_y) > reach:
+            continue
+        now = min(_gap_to(held, walker, j, inf, (walker.rest_x, walker.rest_y), face), 0.0)
+        if _gap_to(held, walker, j, inf, (rest_x, rest_y), turned) < now:
+            return False
+        for k in range(1, LOOKS + 1):
+            s = k / LOOKS
+            x, y = walker.rest_x + s * (rest_x - walker.rest_x), walker.rest_y + s * (rest_y - walker.rest_y)
+            if _gap_to(held, walker, j, walker.there + s * step.time, (x, y), face) < (now - GRAZE if now < 0 else 0.0):
+                return False
+    return True

@@ -1,12 +1,13 @@
 """What one walker sees of another: where it is and goes, how it stands, and what it wants."""
 
-from math import cos, inf, sin
+from math import inf
 from typing import Any
 
 import numpy as np
 
 from planner.crowd.walker import Walker
 from planner.round.reservations import COMMITTED, Reservations, place_on_path
+from planner.stepping.beside import Place
 from worlds.compiled.jit import jit_borrowing
 
 NEIGHBOUR = np.dtype(
@@ -19,7 +20,7 @@ NEIGHBOUR = np.dtype(
         ("wide", np.float64),
         ("face_x", np.float64),  # unit vector in which it faces
         ("face_y", np.float64),
-        ("along", np.float64),  # cosine between its wished course and mine; 0 where it stays
+        ("along", np.float64),  # cosine between its aim and mine; 0 where it stays
         ("claim_x", np.float64),  # where it would rest next, relative to my rest [m]; inf: it has no right of way over me
         ("claim_y", np.float64),
         ("rank", np.float64),  # of that claim
@@ -47,12 +48,13 @@ class Neighbour:
 
 
 @jit_borrowing
-def see(held: Reservations, walker: Walker, rank: float, near: np.ndarray, others: Any) -> None:
+def see(held: Reservations, walker: Walker, aim: Place, rank: float, near: np.ndarray, others: Any) -> None:
     """Fills others (K,) with those `near` (K,), as my body comes to rest beside my last footprint.
 
-    Everyone is expected to keep its pace: that of its last step. `rank` is mine: of equal ones the lower number goes first.
+    Everyone is expected to keep its pace: that of its last step. `aim` and `rank` are mine; of equal ranks the lower number
+    goes first.
     """
-    ux, uy, rest = cos(walker.course), sin(walker.course), COMMITTED - 1
+    rest = COMMITTED - 1
     for i, j in enumerate(near):
         other, path = others[i], held.path
         span = path[j, rest, 2] - path[j, rest - 1, 2]
@@ -65,7 +67,7 @@ def see(held: Reservations, walker: Walker, rank: float, near: np.ndarray, other
         other.vx, other.vy = vx, vy
         other.deep, other.wide = held.half[j, 0], held.half[j, 1]
         other.face_x, other.face_y = held.face[j, 0], held.face[j, 1]
-        other.along = held.aim[j, 0] * ux + held.aim[j, 1] * uy
+        other.along = held.aim[j, 0] * aim[0] + held.aim[j, 1] * aim[1]
         other.rank, other.claim_x, other.claim_y = held.rank[j], inf, inf
         if other.rank > 0 and (other.rank > rank or (other.rank == rank and j < walker.c)):
             other.claim_x, other.claim_y = held.claim[j, 0] - walker.rest_x, held.claim[j, 1] - walker.rest_y

@@ -3,13 +3,12 @@
 So streams part into lanes. Where anyone comes, one makes for the right half of the narrowest place ahead, before it is full.
 """
 
-from math import atan2, cos, pi, sin
-from typing import Any
-
-import numpy as np
+from math import atan2, ceil, cos, pi, sin
+from typing import Any, NamedTuple
 
 from motion.characters.dimensions import Dimensions
 from planner.crowd.walker import Walker
+from planner.round.reservations import COMMITTED, Reservations
 from planner.round.round import Round
 from planner.stepping.beside import Place
 from planner.stepping.steering import free_way
@@ -21,37 +20,68 @@ AGAINST = -0.5
 """The cosine between two wishes from which on they are against each other."""
 WIDE, MOST = 2.0, 2.5
 """How far to the right those who come against one count, in widths of two bodies, and how many at most."""
-NARROW, AHEAD, SLANTS = 5.0, 7, 2
+SIGHT, SPREAD = 14.0, 0.6
+"""How many preferred steps ahead one sees that somebody comes, and how far to the side, in how far ahead."""
+QUARTER, EARLY = 0.2, 3
+"""How far off the middle of a narrow place one passes it, in its width, and how many steps before it one is there."""
+NARROW, AHEAD, SLANTS = 5.0, 14, 2
 """Places narrower than this, in widths of two bodies, are passed on the right; looked for so many steps ahead, straight across
 the course and at so many slants of 30 degrees to either side."""
 
 
-@jit_borrowing
-def keep_right(round: Round, c: int, near: np.ndarray, middle: Place, course: float) -> float:
-    """The course [rad] of character c, whose middle is there, to the right half of the narrowest place ahead.
+class Passage(NamedTuple):
+    """How one passes the narrowest place ahead, where others come through it."""
 
-    It is the course that was given where nobody comes against it.
+    course: float  # to its right half [rad]
+    left: float  # how far left of that half one is, in widths of a body; less further off
+    far: float  # how far ahead that place is [m]
+
+
+@jit_borrowing
+def _someone_comes(held: Reservations, c: int, course: float, aim: Place, beyond: float, sight: float) -> bool:
+    """Whether anyone between `beyond` and `sight` [m] ahead on a course [rad] comes against the aim of character c."""
+    ux, uy = cos(course), sin(course)
+    rows, cells = (len(held.start) - 1) // held.columns, int(ceil(sight / held.edge))
+    x, y, wide = held.path[c, COMMITTED - 1, 0], held.path[c, COMMITTED - 1, 1], WIDE * 2 * held.half[c, 1]
+    row, column = held.cell[c] // held.columns, held.cell[c] % held.columns
+    for i in range(max(row - cells, 0), min(row + cells + 1, rows)):
+        first, last = i * held.columns + max(column - cells, 0), i * held.columns + min(column + cells, held.columns - 1)
+        for k in range(held.start[first], held.start[last + 1]):
+            j = held.order[k]
+            if held.aim[j, 0] * aim[0] + held.aim[j, 1] * aim[1] < AGAINST:
+                dx, dy = held.path[j, COMMITTED - 1, 0] - x, held.path[j, COMMITTED - 1, 1] - y
+                ahead, left = dx * ux + dy * uy, ux * dy - uy * dx
+                if beyond < ahead < sight and abs(left) < wide + SPREAD * ahead:
+                    return True
+    return False
+
+
+@jit_borrowing
+def keep_right(round: Round, c: int, middle: Place, course: float) -> Passage:
+    """How character c, whose middle is there, keeps to the right half of the narrowest place ahead on its course [rad].
+
+    It needs not to where nobody comes against it.
     """
     held, biped, (x, y) = round.reservations, round.bipeds[round.kind[c]], middle
-    ux, uy, comes = cos(course), sin(course), False
-    for j in near:
-        comes |= held.aim[j, 0] * ux + held.aim[j, 1] * uy < AGAINST
-    if not comes:
-        return course
+    sight, aim = SIGHT * biped.gait.preferred_step, (round.intents.aim[c, 0], round.intents.aim[c, 1])
+    if not _someone_comes(held, c, course, aim, 0.0, sight):
+        return Passage(course, 0.0, 0.0)
     margin = min(biped.body.radius, queries.clearance(round.world, x, y)) - 0.01
-    return course + _to_the_right(biped, round.world, middle, course, margin, held.half[c, 1])
+    passage = _to_the_right(biped, round.world, middle, course, margin, held.half[c, 1])
+    if passage.far > 0 and not _someone_comes(held, c, course, aim, passage.far, sight):
+        return Passage(course, 0.0, 0.0)
+    return passage
 
 
 @jit_borrowing
 def _to_the_right(
     biped: Dimensions, world: WorldArrays, middle: Place, course: float, margin: float, half: float
-) -> float:  # fmt: skip
-    """The turn [rad] from the course to the right half of the narrowest place ahead, `half` a body off its middle; 0 where
-    the course leads there.
+) -> Passage:  # fmt: skip
+    """How one passes the narrowest place ahead: on the given course where that leads to its right half.
 
     How wide a place is, is measured through points of the course, also aslant: it may lead through a gap at an angle.
     """
-    least, turn, stride = 4 * NARROW * half, 0.0, biped.gait.preferred_step
+    least, turn, left, place, stride = 4 * NARROW * half, 0.0, 0.0, 0, biped.gait.preferred_step
     for i in range(AHEAD):
         px, py = middle[0] + i * stride * cos(course), middle[1] + i * stride * sin(course)
         if queries.clearance(world, px, py) < margin:
@@ -59,11 +89,13 @@ def _to_the_right(
         for k in range(-SLANTS, SLANTS + 1):
             across = pi / 6 * k - 0.5 * pi
             right = free_way(biped, world, px, py, course + across, margin, 4 * NARROW * half)
-            left = free_way(biped, world, px, py, course + across + pi, margin, 4 * NARROW * half)
-            if right + left < least:
-                least, aside = right + left, max(0.5 * (right - left) + half, 0.0)
-                turn = atan2(aside * sin(across), max(i, 1) * stride + aside * cos(across))
-    return turn
+            free_left = free_way(biped, world, px, py, course + across + pi, margin, 4 * NARROW * half)
+            if right + free_left < least:
+                least, aside = right + free_left, 0.5 * (right - free_left) + max(half, QUARTER * (right + free_left))
+                turn = atan2(max(aside, 0.0) * sin(across), max(i - EARLY, 1) * stride + max(aside, 0.0) * cos(across))
+                place = i
+                left = (0.5 * (right - free_left) + half) / (2 * half) * (1 - i / AHEAD)
+    return Passage(course + turn, min(max(left, 0.0), MOST), place * stride)
 
 
 @jit_borrowing

@@ -1,8 +1,9 @@
 """What a step among others costs, term by term: the one objective by which a step is chosen (weights: planner.round.weights).
 
-    cost = progress lost + turn + headway + touch + near + side + stand
+    cost = progress lost + turn + touch + near + side + rank + stand
 
-each a number without unit, times its weight. Others are expected to keep their pace.
+each a number without unit, times its weight. How fast one may go in a direction is none of them: spacing tells (speed_behind).
+Others are expected to keep their pace.
 """
 
 from math import cos, exp, hypot, inf, sin
@@ -54,17 +55,17 @@ def _way(walker: Walker, other: Any, px: float, py: float, dx: float, dy: float)
 
 
 @jit_borrowing
-def headway_lacking(walker: Walker, other: Any, vx: float, vy: float, time: float, gap: float) -> float:
-    """Speed beyond what the time gap to one before me allows, in full speeds: v > s / gap (Tordeux, Chraibi & Seyfried 2016).
+def speed_behind(walker: Walker, other: Any, dx: float, dy: float, time: float, gap: float) -> float:
+    """The speed [m/s] in the direction of a unit vector d that the time gap [s] to one ahead allows; inf: I pass it by.
 
-    s is the way until the bodies touch when my step, which takes `time` [s], has landed, and the other has kept its pace.
+    v = s / gap (collision-free speed model, Tordeux, Chraibi & Seyfried 2016), where s is the way until the bodies touch when
+    my step, which takes `time` [s], has landed, and the other has kept its pace, which does not count as far as it comes
+    against d: s = way - v time, so v = way / (gap + time).
     """
-    speed = hypot(vx, vy)
-    if speed <= 0:
-        return 0.0
-    px, py = other.x + time * (other.vx - vx), other.y + time * (other.vy - vy)
-    way = _way(walker, other, px, py, vx / speed, vy / speed)
-    return 0.0 if way == inf else max(speed - max(way, 0.0) / gap, 0.0) / walker.full
+    along = other.vx * dx + other.vy * dy
+    vx, vy = other.vx - min(along, 0.0) * dx, other.vy - min(along, 0.0) * dy
+    way = _way(walker, other, other.x + time * vx, other.y + time * vy, dx, dy)
+    return inf if way == inf else max(way, 0.0) / (gap + time)
 
 
 @jit_borrowing

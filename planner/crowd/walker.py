@@ -45,7 +45,8 @@ def walker_of(round: Round, me: Me, course: float) -> Walker:
     biped, older, newer, held = biped_of(round, me), me.feet.older, me.feet.newer, round.reservations
     x, y = middle_beside(biped, newer)
     rest_x, rest_y = 0.5 * (older.x + newer.x), 0.5 * (older.y + newer.y)
-    margin = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01)
+    half = 0.5 * biped.body.width if biped.body.width > 0 else biped.body.radius
+    margin = min(half, queries.clearance(round.world, x, y) - 0.01)
     stride, facing = biped.gait.preferred_step, 0.5 * (older.heading + newer.heading)
     full = stride / timing.step_timing(biped, stride, 0.0, 0.0, False)[0]
     contact, overlap = newer.contact_time, older.contact_time + older.stance_time - newer.contact_time

@@ -11,8 +11,7 @@ import numpy as np
 from motion.arithmetic.angles import unwrapped
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import LEFT, Foot, Step
-from planner.crowd.avoiding import is_free
-from planner.crowd.candidates import Candidate, candidate_to
+from planner.crowd.candidates import Candidate, candidate_to, is_free
 from planner.crowd.walker import walker_of
 from planner.modes.reins import CREEP, RUN, STAND, WALK, Reins
 from planner.round import reservations

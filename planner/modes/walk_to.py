@@ -11,7 +11,7 @@ from planner.round.kernel import Compiled
 from planner.round.round import PATIENT, Me, Round, Wish, biped_of
 from planner.stepping.arriving import arrive, drawn, sees, walk_down, walk_on
 from planner.stepping.beside import Place, middle_beside
-from planner.stepping.field import fields_to
+from planner.stepping.field import course_down, fields_to
 from planner.stepping.footing import surely
 from planner.stepping.steering import Onward, free_way, lengthened
 from worlds import queries
@@ -23,6 +23,8 @@ from worlds.world import World
 
 THERE, CONTENT = 0.5, 0.25
 """A walker is at its last stop within this share of its preferred step, and more for every step that others hindered."""
+FORESIGHT, GLANCE = 3.0, 0.4
+"""Others are told where the way leads in so many preferred steps, found in steps of so many."""
 ABEAM = 0.7
 """Whom others hinder has passed a stop on the way once the cosine between its direction and the leg to it is below this."""
 
@@ -108,6 +110,18 @@ def _straight(round: Round, me: Me, middle: Place, stop: Place, draw: Place) -> 
 
 
 @jit_borrowing
+def _tell_ahead(round: Round, me: Me, middle: Place, stop: int) -> None:
+    """Sets the intent of where the way down the field of a stop leads in FORESIGHT preferred steps."""
+    plans, stride, (x, y) = round.plans, biped_of(round, me).gait.preferred_step, middle
+    goal, field, cell = plans.stops[me.c, stop], plans.fields[plans.field[me.c, stop]], plans.cell[0]
+    for _ in range(int(FORESIGHT / GLANCE)):
+        course = course_down(field, cell, x, y, atan2(goal[1] - y, goal[0] - x))
+        x, y = x + GLANCE * stride * cos(course), y + GLANCE * stride * sin(course)
+    far = max(hypot(x - middle[0], y - middle[1]), 1e-9)
+    round.intents.ahead[me.c, 0], round.intents.ahead[me.c, 1] = (x - middle[0]) / far, (y - middle[1]) / far
+
+
+@jit_borrowing
 def _tread_by_tread(world: WorldArrays, middle: Place, on: Onward) -> Onward:
     """The step, which on straight stairs is no longer than a tread where it would take two (Fruin 1971: people take one)."""
     if world.terrain_kind != STAIRS:
@@ -124,6 +138,7 @@ def step_to_stop(round: Round, me: Me) -> Wish:
     """The next step to the stop that comes next; a stop that was come to counts as reached once a real step is planned."""
     biped, foot, plans = biped_of(round, me), me.feet.newer, round.plans
     middle, reached = middle_beside(biped, foot), plans.reached[me.c]
+    round.intents.ahead[me.c, 0] = round.intents.ahead[me.c, 1] = 0.0
     if me.real and not is_last_stop(plans, me.c, reached) and is_there(round, me, reached, middle):
         reached += 1
         plans.reached[me.c] = reached
@@ -135,6 +150,7 @@ def step_to_stop(round: Round, me: Me) -> Wish:
     field, draw = plans.field[me.c, at], (plans.draw[me.c, 0], plans.draw[me.c, 1])
     if field >= 0 and not sees(round, me, middle, stop):
         on = walk_down(round, me, middle, plans.fields[field], plans.cell[0], stop, draw)
+        _tell_ahead(round, me, middle, at)
     else:
         on = _straight(round, me, middle, stop, draw)
     on = _tread_by_tread(round.world, middle, on)

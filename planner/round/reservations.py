@@ -59,6 +59,7 @@ class Intents(NamedTuple):
     """What C characters have decided, and the others do not see yet; a planner writes the row of its own character only."""
 
     aim: Pairs  # (C, 2) as Reservations
+    ahead: Pairs  # (C, 2) unit vector to where its way leads some steps on, of those whose planner tells; 0, 0: of the others
     claim: Pairs  # (C, 2) as Reservations
     rank: Numbers  # (C,) as Reservations
     hindered: Integers  # (C,) steps that others kept from getting on

@@ -17,10 +17,8 @@ class Weights(NamedTuple):
     """Of speed lost on the wished course; more of it presses on, and turns aside less."""
     turn: float = 0.15
     """Of a radian that the foot turns off the wished course, or the body goes off its heading: more of it walks straighter."""
-    headway: float = 2.5
-    """Of going faster than the time gap to who is before one allows, in full speeds; above `progress`, so that it is kept."""
     gap: float = 1.3
-    """Time gap kept to who is before one, in swings: more of it follows from further behind, and flows less."""
+    """Time gap kept to who is ahead, in swings: more of it follows from further behind, and flows less."""
     touch: float = 0.35
     """Of an early touch, per 1 / swings of time until then, at full speed: more of it swerves earlier and wider."""
     horizon: float = 6.0
@@ -31,7 +29,7 @@ class Weights(NamedTuple):
     """By which having others near fades, in strides: more of it feels further."""
     side: float = 1.5
     """Of leaving those who come against one on the right: streams part into lanes, each to its own right."""
-    rank: float = 1.0
+    rank: float = 2.5
     """Of resting where one who has waited longer would go: more of it makes way, and backs off, sooner."""
     stand: float = 0.05
     """Of standing still: more of it shuffles on."""

@@ -110,12 +110,12 @@ def _weights(without: str | None) -> Weights:
         return PEOPLE
     if without not in Weights._fields:
         raise InputError(f"--without {without}: {', '.join(Weights._fields)} are allowed{nearest(without, Weights._fields)}")
-    if without in ("gap", "horizon", "distance"):
+    if without in _TERM_OF:
         raise InputError(f"--without {without}: is a scale, no term; its term is {_TERM_OF[without]}")
     return PEOPLE._replace(**{without: 0.0})
 
 
-_TERM_OF = {"gap": "headway", "horizon": "touch", "distance": "near"}
+_TERM_OF = {"horizon": "touch", "distance": "near"}
 
 
 def _album(wanted: str | None) -> Any:

@@ -9,14 +9,15 @@ from planner.crowd.neighbour import NEIGHBOUR, see
 from planner.crowd.sides import keep_right
 from planner.modes.walk_to import WalkTo, is_there
 from planner.planner import Situation
-from planner.round.reservations import Intents, empty_reservations
+from planner.round.reservations import Intents, empty_reservations, sort_into_cells
 from planner.round.round import Me, Round
 from planner.round.weights import PEOPLE, table_of_weights
+from sim.reports import flows
 from sim.stage.cast import table_of
 from sim.stage.simulation import Simulation
 from tests.planner.crowd.test_terms import waiting
 from worlds.compiled.tables import empty
-from worlds.world import World
+from worlds.world import Wall, World
 
 BIRD, HUMAN = load_character("bird"), load_character("human")
 TABLE = table_of([BIRD])
@@ -103,7 +104,7 @@ def facing(x, y, claim=(0.0, 0.0), rank=0.0, hindered=0):
     held.path[0, :, :2], held.path[1, :, :2] = (5, 5), (x, y)
     held.aim[1], held.claim[1], held.rank[1] = (-1.0, 0.0), claim, rank
     found = np.zeros(1, NEIGHBOUR)
-    see(held, waiting(hindered), float(hindered), np.array([1]), found)
+    see(held, waiting(hindered), (1.0, 0.0), float(hindered), np.array([1]), found)
     return held, found[0]
 
 
@@ -118,25 +119,57 @@ def test_others_are_expected_to_keep_the_pace_of_their_last_step():
     held, _ = facing(6.0, 5.0)
     held.path[1, :3] = [(5.6, 5.0, -1.0), (5.8, 5.0, -0.5), (6.0, 5.0, 0.0)]
     me, found = waiting()._replace(there=0.5), np.zeros(1, NEIGHBOUR)
-    see(held, me, 0.0, np.array([1]), found)
+    see(held, me, (1.0, 0.0), 0.0, np.array([1]), found)
     assert found[0]["vx"] == pytest.approx(0.4) and found[0]["x"] == pytest.approx(1.2)
 
 
-def lane(y, comes=True):
-    """The course of a bird at 4, y past the middle of a gap of 2 m at 5, 6, wished toward +x, where another may come."""
+def passed(held, trees, middle, course):
+    """How a bird there, that wishes to go on a course, passes a gap between trees, where another may come."""
+    held.path[0, :, :2] = middle
+    sort_into_cells(held)
+    round = around(held, World("gap", (12.0, 12.0), trees=trees))
+    round.intents.aim[0] = np.cos(course), np.sin(course)
+    return keep_right(round, 0, middle, course)
+
+
+def lane(y, comes=True, at=7.0):
+    """How a bird at 4, y passes the middle of a gap of 2 m at 5, 6, wished toward +x, where another may come from `at`."""
     trees = np.array([(5.0, 6 + side * k, 0.3) for side in (-1, 1) for k in np.arange(1.3, 5.8, 0.4)])
-    held = facing(7.0, 6.0)[0]
+    held = facing(at, 6.0)[0]
     held.aim[1] = (-1.0 if comes else 1.0, 0.0)
-    return keep_right(around(held, World("gap", (12.0, 12.0), trees=trees)), 0, np.array([1]), (4.0, y), 0.0)
+    return passed(held, trees, (4.0, y), 0.0)
 
 
 def test_a_narrow_place_is_passed_on_the_right_where_anyone_comes():
-    assert lane(6.4) < lane(6.0) < -0.1 and lane(5.5) == 0 and lane(6.0, comes=False) == 0
+    assert lane(6.4).course < lane(6.0).course < -0.1 and lane(5.5).course == 0 and lane(6.0, comes=False).course == 0
+    assert lane(6.4).left > lane(6.0).left > 0 == lane(5.5).left, "it does not wait where they come out"
+    assert lane(6.0, at=4.5).course == 0, "who is on this side of the gap does not come through it"
 
 
 def test_a_gap_is_seen_from_a_course_that_leads_through_it_at_an_angle():
     trees = np.array([(5.0, 6 + side * k, 0.3) for side in (-1, 1) for k in np.arange(1.3, 5.8, 0.4)])
     held = facing(7.0, 6.0)[0]
     straight = np.arctan2(1.2, 2.0)  # from the right half to the left one
-    course = keep_right(around(held, World("gap", (12.0, 12.0), trees=trees)), 0, np.array([1]), (4.0, 5.4), straight)
+    course = passed(held, trees, (4.0, 5.4), straight).course
     assert 5.4 + np.tan(course) < 6 - 0.9 * held.half[0, 1] < 5.4 + np.tan(straight)
+
+
+def test_whom_a_field_leads_tells_where_its_way_goes_on():
+    """Who goes along a wall to a door in it is not against one who comes along it from the other side of the door."""
+    wall = Wall(np.array([(5.0, 0.0), (5.0, 5.2), (7.0, 5.2)]), 0.1), Wall(np.array([(5.0, 12.0), (5.0, 6.8), (7.0, 6.8)]), 0.1)
+    starts = [(4.5, 4.4, np.pi / 2), (4.5, 7.6, -np.pi / 2)]
+    sim = Simulation(World("door", (12.0, 12.0), walls=wall), [HUMAN, HUMAN], WalkTo(starts, [[(11, 6)], [(11, 6)]]))
+    for _ in range(60):
+        sim.tick()
+    aim = sim.reservations.aim
+    assert (aim[:, 0] > 0.2).all() and aim[0] @ aim[1] > -0.5
+
+
+def test_two_streams_part_before_a_gap():
+    """Twelve a side through a gap of 1.6 m: all are through, and neither waits for the other to be done."""
+    sim = flows.counterflow(12, 1.6)
+    flow = flows.watched(sim, 60.0, sim.world.size[0] / 2)
+    x = sim.world.size[0] / 2
+    through = np.where((flow.place[..., 0] - x) * (flow.place[0, :, 0] - x) < 0, flow.time[:, None], np.inf).min(axis=0)
+    assert np.isfinite(through).all()
+    assert through[:12].min() < np.median(through[12:]) and through[12:].min() < np.median(through[:12])

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from motion.characters.character import load_character
 from planner.crowd import terms
 from planner.crowd.bodies import extent, gap_between, way_to_touch
-from planner.crowd.candidates import CANDIDATES, candidate, candidate_to, crosses, longest
+from planner.crowd.candidates import DIRECTIONS, candidate, candidate_to, crosses, longest, longest_in
 from planner.crowd.neighbour import NEIGHBOUR
 from planner.crowd.sides import on_the_right, wrong_side
 from planner.crowd.walker import Walker
@@ -92,11 +92,12 @@ def test_progress_is_lost_by_what_lacks_of_the_full_speed_on_the_course():
 
 def test_the_time_gap_is_kept_to_who_is_before_one_at_its_own_pace():
     me = waiting()
-    lacks = [terms.headway_lacking(me, other(1.2, 0.0, v)[0], 1.0, 0.0, 0.5, 0.6) for v in (0.0, 0.3, 1.0)]
-    assert lacks[0] > lacks[1] > lacks[2] == 0, "the faster it goes, the closer one may follow"
-    way = 1.2 - 0.5 * 1.0 - 0.3
-    assert lacks[0] == pytest.approx(max(1.0 - way / 0.6, 0) / 1.3)
-    assert terms.headway_lacking(me, other(1.5, 0.6)[0], 1.0, 0.0, 0.5, 0.6) == 0, "one passes by"
+    speeds = [terms.speed_behind(me, other(1.2, 0.0, v)[0], 1.0, 0.0, 0.5, 0.6) for v in (-1.0, 0.0, 0.3, 1.0)]
+    assert speeds[0] == speeds[1] < speeds[2] < speeds[3], "the faster it goes, the closer one may follow"
+    for v, speed in zip((0.0, 0.3, 1.0), speeds[1:], strict=True):
+        assert 1.2 + 0.5 * (v - speed) - 0.3 == pytest.approx(0.6 * speed), "what is left when the step has landed is the gap"
+    assert terms.speed_behind(me, other(1.5, 0.6)[0], 1.0, 0.0, 0.5, 0.6) == np.inf, "one passes by"
+    assert terms.speed_behind(me, other(0.25, 0.0)[0], 1.0, 0.0, 0.5, 0.6) == 0, "they touch"
 
 
 def test_danger_grows_as_a_touch_comes_nearer_and_with_the_speed_of_it():
@@ -136,9 +137,17 @@ def test_candidates_reach_as_far_as_a_leg_steps():
     assert longest(B, 0.0) == pytest.approx(0.7) and longest(B, np.pi / 2) == pytest.approx(0.35) == pytest.approx(
         longest(B, np.pi)
     )
-    for k in range(1, CANDIDATES):
-        step = candidate(B, me, k)
+    assert longest_in(B, me, 0) == pytest.approx(0.7)
+    for k in range(len(DIRECTIONS)):
+        step = candidate(B, me, k, longest_in(B, me, k))
         assert np.hypot(step.x - 5, step.y - 5) <= 0.7 + 1e-9 and abs(step.heading) <= B.reach.max_turn + 1e-9
+        assert np.arctan2(step.y - 5, step.x - 5) == pytest.approx(DIRECTIONS[k])
+
+
+def test_who_faces_away_from_its_course_turns_to_it_as_it_steps():
+    most = B.reach.max_turn
+    assert candidate(B, waiting(course=1.8), 0, 0.2).heading == pytest.approx(most), "rather than to step aside for ever"
+    assert candidate(B, waiting(), 9, 0.2).heading == 0, "who faces its course steps aside"
 
 
 def test_no_foot_comes_down_across_the_other():

@@ -1,0 +1,142 @@
+"""Of the steps that are free, the one that costs least.
+
+A direction has ONE speed: as fast as the spacing to those ahead in it allows (Tordeux, Chraibi & Seyfried 2016, collision-free
+speed model), at most the wished one; the step in that direction is as long as that speed tells, and shorter where soles, bodies
+or walls are in its way. What a step costs is told term by term (planner.crowd.terms), and what each term weighs by one table
+(planner.round.weights).
+"""
+
+from math import cos, hypot, inf, sin
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from motion.arithmetic.gravity import pendulum_time
+from planner.crowd import terms
+from planner.crowd.candidates import DIRECTIONS, QUICK, Candidate, candidate, crosses, is_free, is_open, longest_in
+from planner.crowd.neighbour import NEIGHBOUR, see
+from planner.crowd.sides import on_the_right, wrong_side
+from planner.crowd.walker import Walker
+from planner.round.round import Round
+from worlds.compiled.jit import jit, jit_borrowing
+
+LEAST = 0.08
+"""No step is shorter than this share of the preferred one."""
+SHORTER_BY = 0.72
+"""Share of its length that a step keeps when it is not free."""
+CLAIMS = 0.4
+"""Where spacing allows no step, one claims the place of a step of this share of the longest, so that others make room."""
+HASTE = 1.1
+"""The wish is taken as it is up to this share of the speed that spacing allows."""
+STAND, WISH = len(DIRECTIONS), len(DIRECTIONS) + 1
+"""Numbers of standing and of the wish, behind those of the directions."""
+STANDING = Candidate(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+"""No step: its time is 0."""
+
+
+class Scratch(NamedTuple):
+    """Room to work in."""
+
+    others: Any  # (K,) records of NEIGHBOUR: those near
+    cost: np.ndarray  # (WISH + 1,): of each direction, of standing, of the wish
+    length: np.ndarray  # (DIRECTIONS,) of the step in each [m]
+
+
+@jit_borrowing
+def cost_of(round: Round, walker: Walker, others: Any, right: float, step: Candidate, goes: bool) -> float:
+    """What a step costs; one that does not `go` stands. right: of those who come against me (planner.crowd.sides)."""
+    biped, weights = round.bipeds[round.kind[walker.c]], round.weights[round.kind[walker.c]]
+    swing, stride = pendulum_time(biped.timing.hip_height), biped.gait.preferred_step
+    vx, vy = ((step.x - walker.x) / step.time, (step.y - walker.y) / step.time) if goes else (0.0, 0.0)
+    touch = near = yields = rest_x = rest_y = 0.0
+    if goes:
+        rest_x, rest_y = (
+            0.5 * (walker.foot_x + step.foot_x) - walker.rest_x,
+            0.5 * (walker.foot_y + step.foot_y) - walker.rest_y,
+        )
+    for i in range(len(others)):
+        other = others[i]
+        touch = max(touch, terms.danger(walker, other, vx, vy, weights.horizon, swing))
+        near += terms.nearness(walker, other, vx, vy, step.time, weights.distance * stride)
+        yields = max(yields, terms.in_the_way(walker, other, rest_x, rest_y))
+    cost = weights.progress * terms.progress_lost(walker, vx, vy) + weights.turn * terms.turned(walker, step)
+    cost += weights.touch * touch + weights.near * near
+    cost += weights.side * wrong_side(walker, right, vx, vy) + weights.rank * yields
+    return cost if goes else cost + weights.stand
+
+
+@jit_borrowing
+def _claim(round: Round, walker: Walker, others: Any, x: float, y: float) -> None:
+    """Sets my claim: to rest at x, y, as I would if nobody were there; with my rank, or with that of whom I am in the way of.
+
+    Less one, so that a whole queue backs off, and nobody is pushed back by those whom it pushes (priority inheritance; Okumura,
+    Machida, Defago & Tamura 2022).
+    """
+    intents, c, rank = round.intents, walker.c, float(walker.hindered)
+    for i in range(len(others)):
+        if others[i].rank - 1 > rank and terms.in_the_way(walker, others[i], 0.0, 0.0) > 0:
+            rank = others[i].rank - 1
+    intents.claim[c, 0], intents.claim[c, 1], intents.rank[c] = x, y, rank
+
+
+@jit_borrowing
+def _speed_in(round: Round, walker: Walker, others: Any, dx: float, dy: float) -> float:
+    """The speed [m/s] in the direction of a unit vector: the wished one, or what the spacing to those ahead in it allows."""
+    biped, weights = round.bipeds[round.kind[walker.c]], round.weights[round.kind[walker.c]]
+    swing = pendulum_time(biped.timing.hip_height)
+    speed, gap = walker.full, weights.gap * swing
+    if walker.calm:
+        speed = max(walker.wish_x * dx + walker.wish_y * dy, 0.0)
+    for i in range(len(others)):
+        speed = min(speed, terms.speed_behind(walker, others[i], dx, dy, QUICK * swing, gap))
+    return speed
+
+
+@jit_borrowing
+def _lay(round: Round, walker: Walker, others: Any, right: float, wished: Candidate, scratch: Scratch) -> None:
+    """Fills what each direction, standing and the wish cost, and how long steps are; negative: claimed, but not taken."""
+    cost, length, biped = scratch.cost, scratch.length, round.bipeds[round.kind[walker.c]]
+    most, least = QUICK * pendulum_time(biped.timing.hip_height), LEAST * biped.gait.preferred_step
+    for k in range(STAND):
+        angle, longest = walker.course + DIRECTIONS[k], longest_in(biped, walker, k)
+        speed = _speed_in(round, walker, others, cos(angle), sin(angle))
+        length[k] = min(speed * most, longest)
+        if length[k] >= least:
+            length[k] = min(speed * candidate(biped, walker, k, length[k]).time, length[k])
+        if length[k] < least:
+            length[k] = -CLAIMS * longest
+        cost[k] = cost_of(round, walker, others, right, candidate(biped, walker, k, abs(length[k])), True)
+    cost[STAND], cost[WISH] = cost_of(round, walker, others, right, wished, False), inf
+    dx, dy = wished.x - walker.x, wished.y - walker.y
+    far = hypot(dx, dy)
+    if far <= least or far <= HASTE * _speed_in(round, walker, others, dx / far, dy / far) * wished.time:
+        cost[WISH] = cost_of(round, walker, others, right, wished, True)
+
+
+@jit
+def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: np.ndarray) -> Candidate:
+    """The cheapest step that is free; its time is 0 where that is to stand. left: of where I should pass (Passage)."""
+    scratch, c = Scratch(np.empty(len(near), NEIGHBOUR), np.empty(WISH + 1), np.empty(STAND)), walker.c
+    others, cost, length = scratch
+    biped, aim = round.bipeds[round.kind[c]], (round.intents.aim[c, 0], round.intents.aim[c, 1])
+    least, claimed = LEAST * biped.gait.preferred_step, False
+    see(round.reservations, walker, aim, float(walker.hindered), near, others)
+    right = max(on_the_right(walker, others, round.reservations.reach), left) if round.weights[round.kind[c]].side > 0 else 0.0
+    _lay(round, walker, others, right, wished, scratch)
+    while True:
+        k = int(np.argmin(cost))
+        if k == STAND:
+            if not claimed:
+                _claim(round, walker, others, walker.rest_x, walker.rest_y)
+            return STANDING
+        step = candidate(biped, walker, k, abs(length[k])) if k < STAND else wished
+        if not crosses(biped, walker, step) and is_open(round, walker, step):
+            if not claimed:
+                claimed = True
+                _claim(round, walker, others, 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y))
+            if (k == WISH or length[k] > 0) and is_free(round, walker, near, step):
+                return step
+        cost[k] = inf
+        if k < STAND and length[k] * SHORTER_BY >= least:
+            length[k] *= SHORTER_BY
+            cost[k] = cost_of(round, walker, others, right, candidate(biped, walker, k, length[k]), True)
