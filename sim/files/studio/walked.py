@@ -103,8 +103,8 @@ def run_in(recording: Recording) -> Run:
         raise InputError("the recording lacks its footprints' times; record the run again with this version")
     walkers = []
     for c in range(len(recording.meta["characters"])):
-        became = recording.cast(c)
-        walkers.append(Walker(became[-1].character, recording.footprints(c, len(became) - 1)))
+        for stay in recording.stays(c)[-1:]:
+            walkers.append(Walker(stay.character, recording.footprints(c, stay.recasts)))
     return Run(recording.world, walkers, float(recording.arrays["time"][-1]) if len(recording.arrays["time"]) else 0.0)
 
 

@@ -1,0 +1,115 @@
+"""Phases of support in pieces of a curve: how many, how long, and how much comfort counts in each.
+
+A single stance comes in SINGLE pieces, as its force rises, holds or dips, and falls; longer phases in more, a flight in one.
+Comfort counts most where people's legs are straightest, and little where a leg has work to do: beside a flight, and on steep ways.
+"""
+
+import numpy as np
+
+from motion.arithmetic.gravity import pendulum_time
+from motion.arithmetic.smooth import smoothstep
+from motion.characters.dimensions import Dimensions
+from motion.track import phases
+from motion.track.footprints import Footprints, rise
+from worlds.compiled.jit import jit, jit_borrowing
+
+SINGLE = 3
+"""Pieces of a single stance: its force can rise, hold or dip, and fall."""
+SPRINGY = 0.25
+"""Share of comfort that counts in a stance beside a flight: there the leg is a spring, and gives as physics asks."""
+MIDDLE = 4.5
+"""The same in the middle of a walker's single stance on land, where people's legs are straightest."""
+ROCKY, STEEP, GIVES = 0.6, 0.12, 0.25
+"""The same on rocks, where legs give so that the body keeps its pace. Where legs lift or lower the body in a step by STEEP of
+their length or more, GIVES is the most everywhere."""
+SWITCH = 0.005
+"""Time [s] in which the force changes from one leg to another that takes over at once."""
+FULL_FLIGHT, BRIEF = 0.12, 0.3
+"""From this time [s] on a flight changes all that it does beside it; one half as long counts this share: as costs are norms, a
+flight is ballistic or not, and with less weight it comes to be so more slowly as it grows."""
+PIECE = 0.45
+"""Length of a piece of a long double stance, in pendulum times."""
+
+
+@jit_borrowing
+def flies(support: np.ndarray, i: int) -> bool:
+    """Whether phase i is a flight."""
+    return 0 <= i < len(support) and phases.phase_of(support[i, 0], support[i, 1]) == phases.FLIGHT
+
+
+@jit_borrowing
+def _steep(biped: Dimensions, footprints: Footprints, support: np.ndarray, i: int) -> float:
+    """How steep the way is in phase i, 0 to 1."""
+    n = max(support[i, 0], support[i, 1])
+    if n < 0:
+        return 0.0
+    climb = abs(rise(footprints, n)) if n > 0 else 0.0
+    if n + 1 < len(footprints.side):
+        climb = max(climb, abs(rise(footprints, n + 1)))
+    return smoothstep(climb / (STEEP * biped.leg.nominal_length))
+
+
+@jit_borrowing
+def _on_rock(footprints: Footprints, support: np.ndarray, i: int) -> bool:
+    """Whether a foot stands on a rock in phase i."""
+    left, right = support[i, 0], support[i, 1]
+    return (left >= 0 and footprints.rock[left] >= 0) or (right >= 0 and footprints.rock[right] >= 0)
+
+
+@jit_borrowing
+def _switches(support: np.ndarray, i: int) -> bool:
+    """Whether after phase i one foot takes over from another, with neither an overlap nor a flight between."""
+    n = min(i + 1, len(support) - 1)
+    before, after = phases.phase_of(support[i, 0], support[i, 1]), phases.phase_of(support[n, 0], support[n, 1])
+    return before != after and max(before, after) < phases.DOUBLE_STANCE
+
+
+@jit_borrowing
+def flown(time: np.ndarray, support: np.ndarray, i: int, steady: bool) -> float:
+    """How much of a flight phase i is, 0 to 1; steady: a brief one is less of it, so that none begins with a jump."""
+    whole = 1.0 if flies(support, i) else 0.0
+    return min((time[i + 1] - time[i]) / FULL_FLIGHT, 1.0) if steady and whole else whole
+
+
+@jit
+def in_pieces(
+    biped: Dimensions, footprints: Footprints, time: np.ndarray, support: np.ndarray, steady: bool
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Phases in equal pieces: a single stance in SINGLE, as its force rises and falls; others by their time, a flight in one.
+
+    Returns the times, supports and shares of comfort of the pieces. Beside a flight there are more, and comfort counts less.
+    Steady: their number does not depend on times; where one foot takes over at once, the force may change within SWITCH.
+    """
+    counts, unit = np.ones(len(support), np.int64), PIECE * pendulum_time(biped.leg.nominal_length)
+    switch = np.zeros(len(support), np.bool_)
+    for i in range(len(support)):
+        pieces = int(round((time[i + 1] - time[i]) / unit))
+        if steady and not flies(support, i):
+            counts[i] = SINGLE if min(support[i, 0], support[i, 1]) >= 0 else 2 * SINGLE
+        elif flies(support, i - 1) or flies(support, i + 1):
+            counts[i] = min(max(2 * pieces, SINGLE), 2 * SINGLE)
+        elif phases.phase_of(support[i, 0], support[i, 1]) == phases.DOUBLE_STANCE:
+            counts[i] = min(max(pieces, 1), SINGLE)
+        elif not flies(support, i):
+            counts[i] = SINGLE
+        switch[i] = steady and time[i + 1] - time[i] > 4 * SWITCH and _switches(support, i)
+    total = counts.sum() + switch.sum()
+    out, stand, share = np.empty(total + 1), np.empty((total, 2), np.int64), np.ones(total)
+    n = 0
+    for i in range(len(support)):
+        single = counts[i] >= SINGLE and min(support[i, 0], support[i, 1]) < 0
+        for k in range(counts[i] + switch[i]):
+            out[n] = time[i] + k * (time[i + 1] - time[i]) / counts[i] if k < counts[i] else time[i + 1] - SWITCH
+            stand[n, 0], stand[n, 1] = support[i, 0], support[i, 1]
+            beside = max(flown(time, support, i - 1, steady), flown(time, support, i + 1, steady))
+            if beside < 1 and _on_rock(footprints, support, i):
+                share[n] = ROCKY
+            elif beside < 1 and single and counts[i] <= SINGLE * k < 2 * counts[i]:
+                share[n] = MIDDLE
+            steep = _steep(biped, footprints, support, i)
+            share[n] += steep * (min(share[n], GIVES) - share[n])
+            if beside > 0:
+                share[n] = SPRINGY + (share[n] - SPRINGY) * (1 - beside) if beside < 1 else SPRINGY
+            n += 1
+    out[n] = time[-1]
+    return out, stand, share
