@@ -124,6 +124,7 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     sheets = commands.add_parser("sheets", help="draw a contact sheet of every scene")
     sheets.add_argument("scenes", nargs="*", metavar="SCENE", help="only these")
     sheets.add_argument("--folder", default="docs/scenes", help="where to write them")
+    sheets.add_argument("--window", metavar="FOLDER", help="draw the window itself instead, in all it does, at several sizes")
     measure = commands.add_parser("measure", help="measure the quality of a recorded run")
     measure.add_argument("recording", metavar="RUN.npz")
     measure.add_argument("--plot", metavar="OUT.png", help="draw com, costs, joints, stances over time (.png, .svg, .pdf)")

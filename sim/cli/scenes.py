@@ -1,5 +1,6 @@
 """`play`, `sheets` and `check`: what files say, played, drawn and checked."""
 
+import os
 import sys
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,9 @@ from planner.script.scene import load_scene, scene_names
 from sim.cli import agreeing
 from sim.cli.show import show
 from sim.cli.status import BAD_INPUT, DONE
+from sim.stage.cast import Cast
 from sim.stage.performance import Performance
+from sim.view.window.choosing import maker
 from worlds import reading
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
@@ -32,8 +35,10 @@ def play(options: Any) -> int:
         if options.character:
             load_character(options.character)
 
-    def make(scene: str = options.level, character: str | None = options.character, seed: int = 0) -> Performance:
-        return Performance(load_scene(scene), load_character(character) if character else None)
+    chosen = maker("play", 1)
+
+    def make(level: str = options.level, character: str | None = options.character, seed: int = 0) -> Cast:
+        return chosen(level, character, seed)
 
     return show(options, make, scene_names(), check)
 
@@ -43,13 +48,15 @@ def sheets(options: Any) -> int:
     from sim.view.graphics.gl import HINT, NoGL
     from sim.view.pictures.sheet import write_index, write_sheets
 
-    folder = Path(options.folder)
+    folder = Path(options.window or options.folder)
     names = options.scenes or scene_names()
     scenes = {Path(name).stem: load_scene(name) for name in names}
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"--folder {folder}: cannot be made: {error.strerror}") from None
+        raise InputError(f"{folder}: cannot be made: {error.strerror}") from None
+    if options.window:
+        return _window(folder)
     try:
         paths = write_sheets({name: Performance(scene) for name, scene in scenes.items()}, folder)
     except NoGL as error:
@@ -57,6 +64,21 @@ def sheets(options: Any) -> int:
     if not options.scenes:
         paths.append(write_index(folder))
     print(f"wrote {len(paths)} files to {folder.resolve()}")
+    return DONE
+
+
+def _window(folder: Path) -> int:
+    """Pictures of the window itself."""
+    os.environ["SDL_VIDEODRIVER"] = "offscreen"
+    from sim.view.graphics.gl import HINT, NoGL, prefer_egl_without_display
+
+    prefer_egl_without_display()  # before anything of the panel asks for OpenGL
+    from sim.view.window.pictures import write_pictures
+
+    try:
+        print(f"wrote {len(write_pictures(folder))} files to {folder.resolve()}")
+    except NoGL as error:
+        raise InputError(f"pictures of the window: {HINT} ({error})") from None
     return DONE
 
 

@@ -7,8 +7,8 @@ from sim.cli import agreeing
 from sim.cli.show import show
 from sim.stage.cast import Cast
 from sim.stage.commands import steer
-from sim.stage.making import make_mixed, make_simulation, make_steered, make_visited
 from sim.stage.simulation import Simulation
+from sim.view.window.choosing import maker
 from worlds.level import level_names, visited_names
 
 
@@ -18,14 +18,10 @@ def walk(options: Any) -> int:
     def check() -> None:
         agreeing.run(options)
 
-    def make(level: str = options.level, character: str = options.character, seed: int = options.seed) -> Simulation:
-        if options.command == "steer":
-            return make_steered(level, character, options.characters, seed)
-        if options.command == "crowd":
-            return make_visited(level, options.characters, seed)
-        if getattr(options, "mixed", False):
-            return make_mixed(level, options.characters, seed)
-        return make_simulation(level, character, options.characters, seed, options.command == "river")
+    chosen = maker(options.command, options.characters, getattr(options, "mixed", False))
+
+    def make(level: str = options.level, character: str | None = options.character, seed: int = options.seed) -> Cast:
+        return chosen(level, character, seed)
 
     return show(options, make, _names(options.command), check, options.restore, _hands(options))
 

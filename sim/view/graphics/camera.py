@@ -14,6 +14,8 @@ CROWD, CROWD_AWAY = 250, 4.5
 """Characters that the first picture of a crowd shows, the nearest."""
 STRAIGHT_DOWN, HIGHEST = 1.5533, 1.4
 """Elevations [rad] of the plan view, and up to which the camera goes to stay above the ground."""
+HIGHER = 1.6
+"""The plan view is so many times as far away."""
 WAY = (0.25, 0.45, 0.65, 0.85, 1.0)
 """Shares of the way to the eye at which the ground below is asked for."""
 FIELD_OF_VIEW = np.radians(42.0)
@@ -67,8 +69,13 @@ class Camera:
         """Where the camera is [m]."""
         elevation = STRAIGHT_DOWN if self.plan else max(self.elevation, self.lift)
         c = np.cos(elevation)
-        away = np.array([c * np.cos(self.azimuth), c * np.sin(self.azimuth), np.sin(elevation)])
-        return self.target + (2.2 if self.plan else 1.0) * self.distance * away
+        toward = np.array([c * np.cos(self.azimuth), c * np.sin(self.azimuth), np.sin(elevation)])
+        return self.target + self.away * toward
+
+    @property
+    def away(self) -> float:
+        """How far the eye is from what it looks at [m]."""
+        return (HIGHER if self.plan else 1.0) * self.distance
 
     def stay_above(self, world: World) -> None:
         """Goes up where it would be under ground, or a hill would hide what it looks at; comes down again behind it."""

@@ -82,7 +82,7 @@ out vec3 p; out vec3 n; out vec3 colour; out float gone;
 float near_way(vec3 at, float radius, float end) {      // 1: at hides the focus from the eye, 0: it is beside the way there
     vec3 way = focus.xyz - eye;
     float t = clamp(dot(at - eye, way) / dot(way, way), 0.0, end);
-    float reach = radius + focus.w * t;
+    float reach = radius * (1.4 - 0.4 * t) + focus.w * t;
     return 1.0 - smoothstep(0.95, 1.1, length(at - eye - t * way) / reach);
 }
 void main() {

@@ -192,7 +192,7 @@ class Renderer:
         _set(program, "eye", np.asarray(camera.eye, "f4").tobytes())
         _set(program, "sun", SUN.astype("f4").tobytes())
         _set(program, "time", np.float32(time).tobytes())
-        _set(program, "haze", np.float32(max(HAZE, 3.0 * camera.distance)).tobytes())
+        _set(program, "haze", np.float32(max(HAZE, 3.0 * camera.away)).tobytes())
         if self.shadow:
             self.shadow.use(0)
 

@@ -13,6 +13,7 @@ from sim.stage.cast import Cast
 from sim.view.graphics.camera import Camera
 from sim.view.pictures import overlays
 from sim.view.window import beside, driving, picking, tools
+from sim.view.window.choosing import is_scene
 from worlds.errors import InputError
 
 FRAME = 1 / 60
@@ -121,6 +122,8 @@ class App:
     def choose(self, **other: Any) -> None:
         """Starts over with another `level`, `character` or `seed`; says so where that cannot be, and keeps what runs."""
         wanted = {"level": self.level, "character": self.character, "seed": self.seed} | other
+        if "level" in other and is_scene(str(other["level"])):
+            wanted["character"] = None  # its own
         try:
             sim = self.make(**wanted)
         except (InputError, NoWay) as error:

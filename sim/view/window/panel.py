@@ -10,6 +10,7 @@ from motion.characters.character import character_names
 from sim.view import theme
 from sim.view.pictures.overlays import NAMES
 from sim.view.window.app import App
+from sim.view.window.choosing import places
 
 SPAN = 3.0
 """Seconds that the timing diagram shows."""
@@ -22,7 +23,7 @@ class Panel:
     """Buttons for what keys do, what can be chosen, figures of the moment, and who stands when."""
 
     def __init__(self, pygame: ModuleType, size: tuple[int, int], scale: float = 1.0) -> None:
-        self.pygame, self.scale = pygame, scale
+        self.pygame, self.scale, self.places = pygame, scale, places()
         imgui.create_context()
         imgui.get_io().set_ini_filename("")
         imgui.get_io().display_size = imgui.ImVec2(*size)
@@ -46,7 +47,7 @@ class Panel:
     def draw(self, app: App, size: tuple[int, int], rate: float) -> None:
         """Draws over the picture in the bound framebuffer."""
         io = imgui.get_io()
-        io.display_size, io.delta_time = imgui.ImVec2(*size), 1 / max(rate, 1)
+        io.display_size, io.delta_time = imgui.ImVec2(*size), 1 / max(rate, 1.0)
         if app.scale != self.scale:
             self.scale = app.scale
             theme.dress(self.scale)
@@ -76,7 +77,8 @@ class Panel:
             who = f"{app.focus + 1} of {len(sim.characters)}: {who}"
         imgui.text(who)
         seen = f", {app.in_view} in view" if len(sim.characters) > 1 else ""
-        imgui.text_disabled(f"{sim.time:.1f} s, {rate:.0f} pictures a second{seen}")
+        quick = f", {rate:.0f} pictures a second" if rate else ""
+        imgui.text_disabled(f"{sim.time:.1f} s{quick}{seen}")
         self._buttons(app)
         self._choices(app)
         if imgui.collapsing_header("show"):
@@ -107,7 +109,10 @@ class Panel:
     def _choices(self, app: App) -> None:
         """Where, who, by which chance, and how fast."""
         imgui.push_item_width(-72 * self.scale)
-        for words, names, now in (("where", app.levels, app.level), ("who", character_names(), app.character)):
+        for words, names, now in (
+            ("where", self.places, app.level),
+            ("who", character_names(), app.sim.characters[app.focus].name),
+        ):
             changed, at = imgui.combo(words, names.index(now) if now in names else -1, names)
             if changed:
                 app.choose(**{"level" if words == "where" else "character": names[at]})

@@ -5,6 +5,7 @@ from types import ModuleType
 from typing import Any
 
 import moderngl
+import numpy as np
 
 from sim.view.graphics import gl
 from sim.view.graphics.quality import LEVELS, SOFTWARE_LEVEL
@@ -41,6 +42,8 @@ class Screen3D:
         )
         self.blow_up = self.ctx.simple_vertex_array(self.copy, self.renderer.corners, "c")
         self._kept: list = []
+        self.sheet: moderngl.Framebuffer | None = None
+        self.steady = False
         self._target()
 
     def _target(self) -> None:
@@ -62,6 +65,18 @@ class Screen3D:
         self.size = (max(size[0], 64), max(size[1], 64))
         self._target()
 
+    def draw_unseen(self, size: tuple[int, int], level: int) -> None:
+        """From now on draws into a sheet of its own, of any size and at one level, instead of the window."""
+        if self.sheet is not None:
+            self.sheet.release()
+        self.sheet, self.steady, self.level = self.ctx.simple_framebuffer(size, 3), True, level
+        self.resize(size)
+
+    def pixels(self) -> np.ndarray:
+        """(height, width, 3) uint8 of what was drawn last."""
+        raw = (self.sheet or self.ctx.screen).read((0, 0, *self.size), 3, alignment=1)
+        return np.frombuffer(raw, np.uint8).reshape(self.size[1], self.size[0], 3)[::-1]
+
     def takes(self, event: Any) -> bool:
         """Whether the panel uses the event."""
         return self.panel is not None and self.panel.takes(event)
@@ -75,13 +90,14 @@ class Screen3D:
         self.renderer.draw(self.target, app.sim, app.camera, app.sim.time, app.focus)
         app.in_view = int(self.renderer.bodies.levels.sum())
         self.ctx.copy_framebuffer(self.flat, self.target)
-        self.ctx.screen.use()
+        (self.sheet or self.ctx.screen).use()
         self.ctx.viewport = (0, 0, *self.size)
         self.ctx.disable(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         self.picture.use(0)
         self.blow_up.render()
         if self.panel:
-            self.panel.draw(app, self.size, 1 / self.seconds)
+            _ = self.ctx.error  # asking forgets: PyOpenGL would take an old one for its own
+            self.panel.draw(app, self.size, 0.0 if self.steady else 1 / self.seconds)
         self.pygame.display.flip()
         self._adapt(begin)
 
@@ -93,7 +109,7 @@ class Screen3D:
         self.drawing += share * (min(now - begin, 0.5) - self.drawing)
         self._last, self._frames = now, self._frames + 1
         lasted = now - self._changed
-        if self._frames < FRAMES or lasted < SECONDS:
+        if self._frames < FRAMES or lasted < SECONDS or self.steady:
             return
         if self.seconds > LEVELS[self.level].slowest and self.drawing > 0.4 * self.seconds and self.level + 1 < len(LEVELS):
             self._change(1)
