@@ -185,6 +185,7 @@ def test_overlays_come_and_go_one_by_one(app):
 def test_a_recording_is_begun_and_ended_in_the_window(app, tmp_path, monkeypatch):
     from sim.files.recording import load_recording
     from sim.view.pictures.results import Results, Wanted
+    from sim.view.window.window import _record
 
     monkeypatch.chdir(tmp_path)
     results = Results(Wanted(), app.sim)
@@ -192,7 +193,7 @@ def test_a_recording_is_begun_and_ended_in_the_window(app, tmp_path, monkeypatch
     def frames(count):
         for _ in range(count):
             app.advance(1 / 60)
-            results.record_to(app.recording or None)
+            _record(app, results)
             results.follow(app.sim)
 
     frames(30), app.key("m"), frames(40)
@@ -200,7 +201,12 @@ def test_a_recording_is_begun_and_ended_in_the_window(app, tmp_path, monkeypatch
     app.key("m"), frames(20)
     (path,) = tmp_path.glob("footfall_*.npz")
     time = load_recording(path).arrays["time"]
-    assert results.done == [path.name] and len(time) in (40, 41) and np.isclose(time[-1], begun / 60, atol=0.02)
+    assert (
+        app.notice == f"wrote {path.name}"
+        and results.done == [path.name]
+        and len(time) in (40, 41)
+        and np.isclose(time[-1], begun / 60, atol=0.02)
+    )
 
 
 def test_the_camera_stays_above_hills():

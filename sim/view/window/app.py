@@ -56,7 +56,7 @@ class App:
         self.paused, self.speed, self.running = False, 1.0, True
         self.show_overlays, self.show_panel, self.show_help = True, True, False
         self.focus, self.behind = 0, 0.0
-        self.message, self.said_at, self.recording = "", 0.0, ""
+        self.message, self.said_at, self.recording = "", 0.0, str(getattr(options, "record", None) or "")
         self.shown, self.scale = set(overlays.NAMES), float(getattr(options, "scale", 1.0))
         self.in_view, self.ticking = 0, TICKING
         self.pressed: tuple[int, int] | None = None
@@ -137,7 +137,8 @@ class App:
         """Begins a recording, or ends it."""
         now = clock.strftime("%Y-%m-%d_%H-%M-%S")
         self.recording = "" if self.recording else f"footfall_{now}.npz"
-        self.say(f"recording {self.recording}" if self.recording else "the recording is written")
+        if self.recording:
+            self.say(f"recording {self.recording}")
 
     def toggle_overlay(self, name: str) -> None:
         """Shows an overlay, or hides it."""

@@ -37,7 +37,7 @@ def run_window(
         app.sticks = pad.read()
         now = clock.perf_counter()
         app.advance(now - last)
-        results.record_to(app.recording or wanted.record)
+        _record(app, results)
         results.follow(app.sim)
         last = now
         screen.draw(app)
@@ -51,6 +51,16 @@ def run_window(
         tell(f"wrote {os.path.abspath(name)}")
     pygame.quit()
     return 2 if results.faults else 0
+
+
+def _record(app: App, results: Results) -> None:
+    """What is recorded follows what the window asks for; says what became of it."""
+    done, faults = len(results.done), len(results.faults)
+    results.record_to(app.recording or None)
+    if len(results.faults) > faults:
+        app.say(results.faults[-1])
+    elif len(results.done) > done:
+        app.say(f"wrote {results.done[-1]}")
 
 
 def opens() -> bool:
