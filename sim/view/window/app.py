@@ -56,7 +56,7 @@ class App:
         self.paused, self.speed, self.running = False, 1.0, True
         self.show_overlays, self.show_panel, self.show_help = True, True, False
         self.focus, self.behind = 0, 0.0
-        self.message, self.said_at, self.recording = "", 0.0, str(getattr(options, "record", None) or "")
+        self.message, self.said_at, self.recording = "", 0.0, ""
         self.shown, self.scale = set(overlays.NAMES), float(getattr(options, "scale", 1.0))
         self.in_view, self.ticking = 0, TICKING
         self.pressed: tuple[int, int] | None = None

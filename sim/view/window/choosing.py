@@ -30,8 +30,8 @@ def is_scene(name: str) -> bool:
 def maker(command: str, characters: int, mixed: bool = False) -> Make:
     """Makes what is chosen: (level or scene, character or None, seed). It raises InputError, NoWay.
 
-    On levels one goes as the command says: `steer` is driven, `wander` wanders, in a `crowd` people come and go, `river` crosses,
-    and `play` crosses where there is a goal. mixed: wanderers are drawn from the level's populations.
+    On levels one goes as the command says: `steer` is driven, `wander` wanders, in a `crowd` people come and go, `river`
+    crosses, and `play` crosses where there is a goal. mixed: wanderers are drawn from the level's populations.
     """
 
     def make(level: str, character: str | None, seed: int) -> Cast:

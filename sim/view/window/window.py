@@ -28,6 +28,7 @@ def run_window(
     pygame.display.init()
     app = App(make, sim, options, levels)
     screen = _open_screen(pygame, options.size, app.scale)
+    app.recording = wanted.record or ""
     names = Names(app.level, (str(app.character),) if app.character else ())
     results, pad = Results(wanted, app.sim, names), Pad(pygame)
     last, frames, began = clock.perf_counter(), 0, clock.perf_counter()
