@@ -194,14 +194,14 @@ def test_a_tree_that_is_planted_is_walked_around():
 def test_a_source_without_room_is_told():
     walls = tuple(Wall(np.array([(1.0, y), (3.0, y)]), 0.3) for y in np.arange(1.0, 7.2, 0.4))
     tables = Traffic(source=[Source(area=ROOM, rate=1.0)], exit=[EAST])
-    with pytest.raises(InputError, match="source.0.area: no human has room there"):
+    with pytest.raises(InputError, match="source.0.area: nobody of the human's size has room"):
         Simulation(World("full", (16.0, 8.0), walls=walls), [HUMAN] * 3, Visiting(tables))
 
 
 def test_too_many_areas_for_a_world_are_told():
     exits = [Exit(name=str(k), area=[(1.0 + k, 1.0), (1.5 + k, 2.0)]) for k in range(60)]
     tables = Traffic(source=[Source(area=ROOM, rate=1.0)], exit=exits)
-    with pytest.raises(InputError, match="60 areas in so large a world"):
+    with pytest.raises(InputError, match="60 areas in a world so large"):
         Simulation(World("plain", (1000.0, 1000.0)), [HUMAN], Visiting(tables))
 
 
