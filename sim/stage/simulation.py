@@ -163,7 +163,7 @@ class Simulation(Cast):
         if not hasattr(self.planner, "there"):
             return None
         size = np.array(self.world.size)
-        return Site(np.array([*(0.5 * size), 1.0]), float(0.42 * np.hypot(*size)))
+        return Site(np.array([*(0.5 * size), 1.0]), float(0.46 * np.hypot(*size)))
 
     def _plan(self) -> None:
         """Rounds until nobody runs out of motion. Raises what a planner in Python raised, ValueError for bad wishes."""
