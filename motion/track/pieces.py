@@ -1,7 +1,8 @@
 """Phases of support in pieces of a curve: how many, how long, and how much comfort counts in each.
 
 A single stance comes in SINGLE pieces, as its force rises, holds or dips, and falls; longer phases in more, a flight in one.
-Comfort counts most where the legs of people are straightest, and little where they have work to do: beside a flight, on steep ways.
+Comfort counts most where the legs of people are straightest, and little where they have work to do: beside a flight, on steep
+ways.
 """
 
 import numpy as np

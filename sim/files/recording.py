@@ -160,7 +160,8 @@ class Recording:
         found = [Stay(-np.inf, 0, plain["characters"][c], looks[c])]
         if plain.get("visitors") is not None:
             kinds, mine = plain["kinds"], [one for one in plain["visitors"] if one["character"] == c]
-            return [Stay(one["begin"], one["recasts"], *kinds[one["kind"]].values()) for one in mine]
+            who = [(one, kinds[one["kind"]]) for one in mine]
+            return [Stay(one["begin"], one["recasts"], kind["dimensions"], kind["look"]) for one, kind in who]
         for tick, change in self.changes:
             command = from_plain(change)
             if isinstance(command, Recast) and command.character == c:

@@ -48,6 +48,8 @@ class Recast(Command):
     def apply(self, sim: Simulation) -> None:
         """Changes it where there is room for the new body."""
         check_character(sim, self.character)
+        if not sim.present()[self.character]:
+            raise InputError(f"character {self.character} is not there; it comes as its level says")
         new = Character.from_dict(self.dimensions, self.look)
         x, y = sim.feet().position[self.character, :, :2].mean(axis=0)
         if clearance(sim.world.arrays, x, y) < new.biped.body.radius:
@@ -62,7 +64,7 @@ class Recast(Command):
         feet, before, now = sim.feet(), sim.characters[self.character].biped, new.biped
         rests = np.column_stack([feet.position[:, :, :2].mean(axis=1), feet.heading[:, 1]])
         mine = rests[self.character]
-        near = np.hypot(*(rests[:, :2] - mine[:2]).T) < NEAR
+        near = (np.hypot(*(rests[:, :2] - mine[:2]).T) < NEAR) & sim.present()
         for c in np.flatnonzero(near):
             if c == self.character or what_overlaps(before, mine, sim.characters[c].biped, rests[c]):
                 continue

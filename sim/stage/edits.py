@@ -49,8 +49,8 @@ def _room(sim: Simulation, x: float, y: float, radius: float, what: str) -> None
     _place(sim.world, x, y, what)
     if not (math.isfinite(radius) and 0 < radius <= 1000):
         raise InputError(f"{what}: radius = {radius!r}: more than 0, at most 1000 m is allowed")
-    feet = sim.feet().position[:, :, :2].reshape(-1, 2)
-    sole = 0.5 * np.hypot(sim.bipeds["foot"]["length"], sim.bipeds["foot"]["width"])[sim.crowd.kind].repeat(2)
+    feet, there = sim.feet().position[sim.present(), :, :2].reshape(-1, 2), sim.present()
+    sole = 0.5 * np.hypot(sim.bipeds["foot"]["length"], sim.bipeds["foot"]["width"])[sim.crowd.kind[there]].repeat(2)
     needed = np.maximum(ROOM, radius + sole + BESIDE)
     if (np.hypot(*(feet - (x, y)).T) < needed).any():
         raise InputError(f"{what} at ({x:.2f}, {y:.2f}): too near to a foot; {needed.max():.2f} m away or more is allowed")

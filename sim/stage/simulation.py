@@ -65,7 +65,8 @@ class Simulation(Cast):
 
     def _begin(self) -> None:
         starts = checked_starts(self.planner.starts(self.world, self.characters, self.seed), self.world, self.characters)
-        check_apart([one.biped for one in self.characters], starts)
+        if not hasattr(self.planner, "come_and_go"):  # else nobody is there yet
+            check_apart([one.biped for one in self.characters], starts)
         for c, (x, y, heading) in enumerate(starts.tolist()):
             self.stand_beside(c, (x, y), heading)
         # Footprint 2 is the right foot standing on: plans begin at footprint 3, when the left one is the older.
@@ -135,6 +136,7 @@ class Simulation(Cast):
             self.stand_beside(one.row, (one.x, one.y), one.heading)
             self.crowd.number[one.row], intents = max(number, 2), self.crowd.intents
             intents.aim[one.row], intents.rank[one.row], intents.hindered[one.row] = 0.0, 0.0, 0
+            self.crowd.paused[one.row] = False
         self.kinds, self.crowd.kind[:] = kinds_of(self.characters)
         self.bipeds = table_of(self.kinds)
         self._go_on_measuring(np.array([one.row for one in come]), before)
@@ -163,7 +165,7 @@ class Simulation(Cast):
         if not hasattr(self.planner, "there"):
             return None
         size = np.array(self.world.size)
-        return Site(np.array([*(0.5 * size), 1.0]), float(0.42 * np.hypot(*size)))
+        return Site(np.array([*(0.5 * size), 1.0]), float(0.46 * np.hypot(*size)))
 
     def _plan(self) -> None:
         """Rounds until nobody runs out of motion. Raises what a planner in Python raised, ValueError for bad wishes."""

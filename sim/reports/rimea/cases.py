@@ -16,6 +16,7 @@ from sim.reports.rimea.rooms import SEED
 from worlds.contents.traffic import Traffic
 from worlds.world import World
 
+JAM = "in a door of 1 m two may each wait for the other"
 LONGEST = 240.0
 """No room takes longer [s]."""
 DOORS = np.array([0.7, 22.2])
@@ -51,11 +52,12 @@ def cases() -> list[Case]:
         Case("RiMEA 7: 50 people by age, share as fast as theirs", "", 0.95, 1.0, [_aged],
              lambda flows: figures.within_their_ages(flows[0], rooms.AGES, SEED), 7),
         Case("RiMEA 9: a hall with two doors instead of four takes", "times", 1.7, 2.3,
-             [partial(_emptied, rooms.hall(doors)) for doors in (4, 2)], _ratio, 9),
+             [partial(_emptied, rooms.hall(doors)) for doors in (4, 2)], _ratio, 9, JAM),
         Case("RiMEA 10: 23 from 12 cabins, by another exit than theirs", "", 0, 0, [partial(_emptied, rooms.cabins())],
              lambda flows: figures.wrong_exits(flows[0], DOORS), 10),
         Case("RiMEA 11: share that takes the far exit for the crowd", "", 0.05, 0.5, [partial(_emptied, rooms.two_exits())],
-             lambda flows: figures.share_beyond(flows[0], 14.0), 11),
+             lambda flows: figures.share_beyond(flows[0], 14.0), 11,
+             "the jam at the near exit does not grow as long as the way to the far one"),
         Case("RiMEA 12: behind a passage none stand before the exit", "", 0, 3, [partial(_emptied, rooms.two_rooms())],
              lambda flows: figures.standing_within(flows[0], 16.0, 26.0), 12),
         Case("RiMEA 13: stairs after a passage take", "times", 1.1, 4.0,

@@ -11,7 +11,7 @@ from planner.modes.people.mix import Mix
 from planner.modes.people.visitors import Visiting
 from planner.modes.walk_to import WalkTo
 from planner.round.weights import Weights
-from sim.reports.flows import PER_SECOND, Flow, people, walls
+from sim.reports.flows import PER_SECOND, Flow, people
 from sim.stage.simulation import Simulation
 from worlds.contents.traffic import Exit, Population, Source, Traffic
 from worlds.world import Wall, World
@@ -20,6 +20,8 @@ SEED = 1
 Line = list[tuple[float, float]]
 Box = tuple[float, float, float, float]
 """x and y of a corner, x and y of the opposite one [m]."""
+THIN = 0.04
+"""Walls [m]."""
 STAIR = (0.17, 0.29)
 """Rise and run of a step [m]."""
 
@@ -29,16 +31,22 @@ def box(of: Box) -> list[tuple[float, float]]:
     return [of[:2], of[2:]]
 
 
+def walls(*lines: Line) -> tuple[Wall, ...]:
+    """Thin walls along polylines [m], so that passages are hardly narrower than the lines are apart."""
+    return tuple(Wall(np.array(line, float), THIN) for line in lines)
+
+
 def room(of: Box, doors: list[tuple[str, float, float]]) -> tuple[Wall, ...]:
     """Walls around a box but for doors, each on a side (west, east, south, north), from and to along it [m]."""
     x0, y0, x1, y1 = of
     sides = {"west": ("y", x0, y0, y1), "east": ("y", x1, y0, y1), "south": ("x", y0, x0, x1), "north": ("x", y1, x0, x1)}
     lines: list[Line] = []
     for side, (axis, at, begin, end) in sides.items():
-        for door in sorted(one[1:] for one in doors if one[0] == side) + [(end, end)]:
-            if door[0] - begin > 1e-6:
-                lines.append([(begin, at), (door[0], at)] if axis == "x" else [(at, begin), (at, door[0])])
-            begin = door[1]
+        gaps = sorted((one[1] - 0.5 * THIN, one[2] + 0.5 * THIN) for one in doors if one[0] == side)
+        for first, last in [*gaps, (end, end)]:
+            if first - begin > 1e-6:
+                lines.append([(begin, at), (first, at)] if axis == "x" else [(at, begin), (at, first)])
+            begin = last
     return walls(*lines)
 
 
@@ -120,8 +128,8 @@ def aged(count: int = 50) -> Simulation:
     return Simulation(world, [one.character for one in persons], WalkTo(starts, stops[:, None], near=1.2), SEED)
 
 
-def hall(doors: int, count: int = 100) -> tuple[World, Traffic]:
-    """RiMEA 9: a hall of 20 by 14 m with four doors of 1 m, or two (the guideline: 30 by 20 m, 1000 people)."""
+def hall(doors: int, count: int = 150) -> tuple[World, Traffic]:
+    """RiMEA 9: a hall of 20 by 14 m with four doors of 1 m, or two (30 by 20 m, 1000 people there)."""
     gaps = [("north", 6.0, 7.0), ("north", 13.0, 14.0), ("south", 6.0, 7.0), ("south", 13.0, 14.0)]
     world = World("hall", (24.0, 22.0), walls=room((2.0, 4.0, 22.0, 18.0), [(s, a + 2, b + 2) for s, a, b in gaps[:doors]]))
     exits = [Exit(name=name, area=box((2.0, y, 22.0, y + 1.5))) for name, y in (("north", 19.6), ("south", 0.9))]
@@ -183,13 +191,13 @@ def around(kind: str, count: int = 60) -> tuple[World, Traffic]:
     """RiMEA 15: a passage 2 m wide: 'short' and 'long' are straight, as long as the 'corner' is inside and outside."""
     inside, outside, begin = 8.0, 10.0, (1.5, 10.0)
     if kind == "corner":
-        lines = walls([(1, 1), (12 + inside + 2, 1), (12 + inside + 2, 1 + inside + 8)],
+        lines = walls([(1, 3), (1, 1), (12 + inside + 2, 1), (12 + inside + 2, 1 + inside + 8)],
                       [(1, 3), (12 + inside, 3), (12 + inside, 1 + inside + 8)])  # fmt: skip
         world = World("corner", (12 + inside + 4, inside + 11), walls=lines)
         out = (12 + inside + 0.1, inside + 7.5, 12 + inside + 1.9, inside + 9.0)
     else:
         end = 12 + inside + (inside + 5.5 if kind == "short" else outside + 7.5)
-        world = World("straight", (end + 3, 4.0), walls=walls([(1, 1), (end + 2, 1)], [(1, 3), (end + 2, 3)]))
+        world = World("straight", (end + 3, 4.0), walls=walls([(1, 3), (1, 1), (end + 2, 1)], [(1, 3), (end + 2, 3)]))
         out = (end, 1.1, end + 1.5, 2.9)
     source = Source(area=box((begin[0], 1.0, begin[1], 3.0)), at_first=count)
     return world, Traffic(source=[source], exit=[Exit(name="out", area=box(out))])

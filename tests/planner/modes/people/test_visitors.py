@@ -8,7 +8,9 @@ from planner.modes.people.visitors import Visiting
 from planner.planners import PLANNERS
 from sim.files.recording import Recorder, load_recording
 from sim.files.saving import restore, save
+from sim.files.schema import RunMeta, check_run
 from sim.reports.measure import measure
+from sim.stage.commands import PlantTree, apply
 from sim.stage.simulation import Simulation
 from worlds.contents.traffic import Exit, Population, Source, Traffic, Waiting
 from worlds.errors import InputError
@@ -173,3 +175,44 @@ def test_saved_plans_of_other_tables_are_refused():
     with pytest.raises(ValueError, match="other sources"):
         sim.planner.check_plans(sim.plans, 4)
     assert PLANNERS["Visiting"](**sim.planner.values()).values() == sim.planner.values()
+
+
+def test_a_tree_that_is_planted_is_walked_around():
+    sim = until(hall(), 6.0)
+    apply(sim, PlantTree(11.0, 4.0, 0.6))
+    there = counts(sim)["there"]
+    nearest = []
+
+    def look(sim):
+        place = sim.com()[sim.present(), :2]
+        nearest.append(np.hypot(*(place - (11.0, 4.0)).T).min(initial=9.0))
+
+    until(sim, 30.0, look)
+    assert counts(sim)["went"] > there and 0.6 < min(nearest) < 2.5
+
+
+def test_a_source_without_room_is_told():
+    walls = tuple(Wall(np.array([(1.0, y), (3.0, y)]), 0.3) for y in np.arange(1.0, 7.2, 0.4))
+    tables = Traffic(source=[Source(area=ROOM, rate=1.0)], exit=[EAST])
+    with pytest.raises(InputError, match="source.0.area: nobody of the human's size has room"):
+        Simulation(World("full", (16.0, 8.0), walls=walls), [HUMAN] * 3, Visiting(tables))
+
+
+def test_too_many_areas_for_a_world_are_told():
+    exits = [Exit(name=str(k), area=[(1.0 + k, 1.0), (1.5 + k, 2.0)]) for k in range(60)]
+    tables = Traffic(source=[Source(area=ROOM, rate=1.0)], exit=exits)
+    with pytest.raises(InputError, match="60 areas in a world so large"):
+        Simulation(World("plain", (1000.0, 1000.0)), [HUMAN], Visiting(tables))
+
+
+def test_damaged_recordings_of_visits_are_refused():
+    sim = hall(rows=3)
+    recorder = Recorder(sim)
+    until(sim, 4.0, lambda sim: recorder.capture() if sim.ticks % 12 == 0 else None)
+    run = recorder.recording()
+    check_run(run.arrays, RunMeta.model_validate(run.meta))
+    for change in ({"visitors": [{"character": 7, "recasts": 0, "begin": 0.0, "kind": 0}]}, {"kinds": []}, {"visitors": None}):
+        with pytest.raises(ValueError, match="visitors"):
+            check_run(run.arrays, RunMeta.model_validate(run.meta | change))
+    with pytest.raises(ValueError, match="present"):
+        check_run(run.arrays | {"present": run.arrays["present"][:-1]}, RunMeta.model_validate(run.meta))
