@@ -23,7 +23,7 @@ from worlds.errors import InputError
 
 
 def trackway(options: Any) -> int:
-    """A scene of a trackway, or of each in the file, all in one world; the report says what can be read from them."""
+    """A scene of a trackway, or of each in the file and of all together, in one world; the report says what they tell."""
     found, load = read_prints(options.file), load_character(options.character)
     chosen = _chosen(found, options.trackway)
     heights = _each(options.hip_height, len(chosen), "--hip-height")
@@ -33,17 +33,18 @@ def trackway(options: Any) -> int:
         for k, height, side in zip(chosen, heights, sides, strict=True)
     ]
     outs = _outs(options.out, len(chosen))
-    outputs.check({f"--out {path}" if len(outs) > 1 else "--out": path for path in outs})
+    every = [*outs, options.out] if len(outs) > 1 else outs
+    outputs.check({f"--out {path}" if len(outs) > 1 else "--out": path for path in every})
     origin, size = site(ways)
     scenes = [scene_of(way, origin, size, options.character, options.speed) for way in ways]
     for scene, path in zip(scenes, outs, strict=True):
         _review(scene, path)
-    for scene, path in zip(scenes, outs, strict=True):
+    for some, path in zip([*([scene] for scene in scenes), scenes], every, strict=False):
         with outputs.whole(path) as part:
-            part.write_text(text_of(scene, origin, options.speed), "utf-8")
+            part.write_text(text_of(some, origin, options.speed), "utf-8")
     figures = [{**report(way, options.speed), "scene": path} for way, path in zip(ways, outs, strict=True)]
     print(json.dumps(figures) if options.json else "\n".join(in_words(one) for one in figures))
-    for path in outs:
+    for path in every:
         tell(f"wrote {Path(path).resolve()}, for the {load.name}: footfall play {path}")
     return DONE
 
@@ -80,7 +81,7 @@ def _scale(options: Any, prints: Prints) -> float:
 
 
 def _outs(out: str, count: int) -> list[str]:
-    """Where each scene goes: OUT.toml, or OUT.1.toml, OUT.2.toml ... where there are several."""
+    """Where each scene goes: OUT.toml, or OUT.1.toml, OUT.2.toml ... where there are several; OUT.toml then has all of them."""
     path = Path(out)
     if path.suffix != ".toml":
         raise InputError(f"--out {out}: scenes are .toml files")

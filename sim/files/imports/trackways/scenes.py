@@ -57,26 +57,40 @@ def walker(scene: Scene) -> Character:
     return load_character(scene.track.character, scene.track.character_scale)
 
 
-def text_of(scene: Scene, origin: np.ndarray, law: str) -> str:
-    """The scene as TOML."""
+def text_of(scenes: Sequence[Scene], origin: np.ndarray, law: str) -> str:
+    """The scenes, which lie in one world, as the TOML of one: everybody walks in it, from the same moment on."""
+    first = scenes[0]
+    names = " and ".join(scene.name for scene in scenes)
     head = [
         f"# Prints of a trackway; the site's place (0, 0) is ({-origin[0]:.5f}, {-origin[1]:.5f}) here.",
         f"# step_time: half a stride at the trackway's speed, {LAWS[law]} sqrt(g) S^1.67 h^-1.17.",
         "format = 1",
-        f"name = {_quoted(scene.name)}",
-        f"about = {_quoted(scene.about)}",
-        f"character = {_quoted(scene.track.character)}",
-        f"character_scale = {scene.track.character_scale!r}  # to the hip height",
+        f"name = {_quoted(names)}",
+        f"about = {_quoted('; '.join(scene.about for scene in scenes))}",
+        *_walker_text(first),
         "",
         "[world]",
-        f"size = [{scene.world.size[0]:g}, {scene.world.size[1]:g}]",
+        f"size = [{first.world.size[0]:g}, {first.world.size[1]:g}]",
+        *_prints_text(first, "footprint"),
     ]
-    for one in scene.track.footprint:
-        head += ["", "[[footprint]]", f'side = "{one.side}"', f"position = [{one.position[0]!r}, {one.position[1]!r}]"]
-        head.append(f"heading_deg = {one.heading_deg!r}")
-        head += [f"step_time = {one.step_time!r}"] if one.step_time else []
-        head += ["inferred = true"] if one.inferred else []
+    for scene in scenes[1:]:
+        head += ["", "[[track]]", *_walker_text(scene), *_prints_text(scene, "track.footprint")]
     return "\n".join([*head, ""])
+
+
+def _walker_text(scene: Scene) -> list[str]:
+    character, scale = scene.track.character, scene.track.character_scale
+    return [f"character = {_quoted(character)}", f"character_scale = {scale!r}  # to the hip height"]
+
+
+def _prints_text(scene: Scene, table: str) -> list[str]:
+    lines = []
+    for one in scene.track.footprint:
+        lines += ["", f"[[{table}]]", f'side = "{one.side}"', f"position = [{one.position[0]!r}, {one.position[1]!r}]"]
+        lines.append(f"heading_deg = {one.heading_deg!r}")
+        lines += [f"step_time = {one.step_time!r}"] if one.step_time else []
+        lines += ["inferred = true"] if one.inferred else []
+    return lines
 
 
 def _quoted(text: str) -> str:

@@ -157,6 +157,14 @@ def test_scenes_stand_on_their_prints_at_the_speed_of_the_law(imported):
     assert len(worlds) == 1
 
 
+def test_all_trackways_play_together(imported, tmp_path):
+    together, each = load_scene(tmp_path / "site.toml"), [load_scene(tmp_path / f"site.{k}.toml") for k in (1, 2)]
+    assert [track.footprint for track in together.tracks] == [scene.track.footprint for scene in each]
+    assert [track.character_scale for track in together.tracks] == [scene.track.character_scale for scene in each]
+    show = Performance(together)
+    assert len(show.characters) == 2 and show.end == pytest.approx(max(Performance(scene).end for scene in each))
+
+
 def test_options_that_do_not_fit_are_refused(written, tmp_path, capsys):
     path, out = written(tps(course())), str(tmp_path / "o.toml")
     for more, said in (
