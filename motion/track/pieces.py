@@ -20,7 +20,7 @@ SPRINGY = 0.25
 """Share of comfort that counts in a stance beside a flight: there the leg is a spring, and gives as physics asks."""
 MIDDLE = 4.5
 """The same in the middle of a walker's single stance on land, where people's legs are straightest."""
-ROCKY, STEEP, GIVES = 0.6, 0.12, 0.25
+ROCKY, STEEP, GIVES = 0.6, 0.12, 0.35
 """The same on rocks, where legs give so that the body keeps its pace. Where legs lift or lower the body in a step by STEEP of
 their length or more, GIVES is the most everywhere."""
 SWITCH = 0.005
