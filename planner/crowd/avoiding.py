@@ -64,16 +64,35 @@ def intend(round: Round, me: Me, wish: Wish) -> None:
 
 
 @jit
+def _let_by(round: Round, me: Me, wish: Wish, near: np.ndarray) -> Wish:
+    """One who has arrived stands, as it wishes, or steps out of the way of those who wait to pass; then its way leads back."""
+    held, waits, walker = round.reservations, False, walker_of(round, me, me.feet.newer.heading)
+    for j in near:
+        far = hypot(held.claim[j, 0] - walker.rest_x, held.claim[j, 1] - walker.rest_y)
+        waits |= held.rank[j] > 0 and far < walker.wide + held.half[j, 1]
+    if not waits:
+        return wish
+    walker = calmed(walker, 0.0, 0.0)
+    taken = choose(round, walker, STANDING, 0.0, near)
+    if taken.time == 0:
+        return wish
+    onto = step_onto(walker.side, taken.foot_x, taken.foot_y, taken.heading)
+    return Wish(onto, wish.course, QUICK, True, False)
+
+
+@jit
 def give_way(round: Round, me: Me, wish: Wish) -> Wish:
     """The wish, or what is free of others instead of it. Sets my intents: aim, and how many steps others hindered."""
     intents, c, step, hindered = round.intents, me.c, wish.step, me.hindered
     intend(round, me, wish)
-    if step.stands > 0:
+    if step.stands > 0 and not wish.goes:
         return wish
     near = np.empty(CROWDED, np.int64)
     count = _look_around(round.reservations, c, near)
     if count == 0:
         return wish
+    if step.stands > 0:
+        return _let_by(round, me, wish, near[: max(count, 0)])
     biped, taken, passage = biped_of(round, me), STANDING, Passage(wish.course, 0.0, 0.0)
     if wish.goes:
         passage = keep_right(round, c, middle_beside(biped, me.feet.newer), wish.course)

@@ -26,6 +26,8 @@ SHORTER_BY = 0.72
 """Share of its length that a step keeps when it is not free."""
 CLAIMS = 0.4
 """Where spacing allows no step, one claims the place of a step of this share of the longest, so that others make room."""
+SIDLES = 0.5
+"""Who stays where it is steps aside at this share of its full speed."""
 HASTE = 1.1
 """The wish is taken as it is up to this share of the speed that spacing allows."""
 STAND, WISH = len(DIRECTIONS), len(DIRECTIONS) + 1
@@ -86,7 +88,8 @@ def _speed_in(round: Round, walker: Walker, others: Any, dx: float, dy: float) -
     swing = pendulum_time(biped.timing.hip_height)
     speed, gap = walker.full, weights.gap * swing
     if walker.calm:
-        speed = max(walker.wish_x * dx + walker.wish_y * dy, 0.0)
+        stays = walker.wish_x == 0 and walker.wish_y == 0
+        speed = SIDLES * walker.full if stays else max(walker.wish_x * dx + walker.wish_y * dy, 0.0)
     for i in range(len(others)):
         speed = min(speed, terms.speed_behind(walker, others[i], dx, dy, QUICK * swing, gap))
     return speed
@@ -109,13 +112,16 @@ def _lay(round: Round, walker: Walker, others: Any, right: float, wished: Candid
     cost[STAND], cost[WISH] = cost_of(round, walker, others, right, wished, False), inf
     dx, dy = wished.x - walker.x, wished.y - walker.y
     far = hypot(dx, dy)
-    if far <= least or far <= HASTE * _speed_in(round, walker, others, dx / far, dy / far) * wished.time:
+    if wished.time > 0 and (far <= least or far <= HASTE * _speed_in(round, walker, others, dx / far, dy / far) * wished.time):
         cost[WISH] = cost_of(round, walker, others, right, wished, True)
 
 
 @jit
 def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: np.ndarray) -> Candidate:
-    """The cheapest step that is free; its time is 0 where that is to stand. left: of where I should pass (Passage)."""
+    """The cheapest step that is free; its time is 0 where that is to stand, which one may also wish for.
+
+    left: of where I should pass (Passage).
+    """
     scratch, c = Scratch(np.empty(len(near), NEIGHBOUR), np.empty(WISH + 1), np.empty(STAND)), walker.c
     others, cost, length = scratch
     biped, aim = round.bipeds[round.kind[c]], (round.intents.aim[c, 0], round.intents.aim[c, 1])

@@ -173,3 +173,19 @@ def test_two_streams_part_before_a_gap():
     through = np.where((flow.place[..., 0] - x) * (flow.place[0, :, 0] - x) < 0, flow.time[:, None], np.inf).min(axis=0)
     assert np.isfinite(through).all()
     assert through[:12].min() < np.median(through[12:]) and through[12:].min() < np.median(through[:12])
+
+
+def test_who_has_arrived_lets_others_by():
+    """In a corridor too narrow for two who keep to its middle."""
+    walls = tuple(Wall(np.array([(1.0, y), (13.0, y)]), 0.2) for y in (1.8, 3.2))
+    stops = [[(7.0, 2.5)], [(11.5, 2.5)]]
+    sim = Simulation(World("corridor", (14.0, 5.0), walls=walls), [HUMAN, HUMAN], WalkTo([(6, 2.5, 0), (2.5, 2.5, 0)], stops))
+    aside, before = 0.0, sim.com()[:, 0]
+    for _ in range(60 * 30):
+        sim.tick()
+        now = sim.com()
+        if before[0] > 6.5 and not sim.crowd.standing[1]:
+            aside = max(aside, abs(now[0, 1] - 2.5))
+        before = now[:, 0]
+    assert aside > 0.1 and np.hypot(*(sim.com()[1, :2] - stops[1][0])) < 0.5
+    assert sim.crowd.standing.all() and np.hypot(*(sim.com()[0, :2] - stops[0][0])) < 1.0
