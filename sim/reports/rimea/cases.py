@@ -62,8 +62,9 @@ def cases() -> list[Case]:
              lambda flows: figures.standing_within(flows[0], 16.0, 26.0), 12),
         Case("RiMEA 13: stairs after a passage take", "times", 1.1, 4.0,
              [partial(_emptied, rooms.before_stairs(climbs=climbs)) for climbs in (False, True)], _ratio, 13),
-        Case("RiMEA 15: a corner between straight ways, short 0, long 1", "", 0.0, 1.2,
-             [partial(_emptied, rooms.around(kind)) for kind in ("short", "corner", "long")], _between, 15),
+        Case("RiMEA 15: a corner between straight ways, short 0, long 1", "", 0.0, 1.0,
+             [partial(_emptied, rooms.around(kind)) for kind in ("short", "corner", "long")], _between, 15,
+             "at the inner corner, which all make for, one waits for the other"),
     ]  # fmt: skip
 
 

@@ -11,7 +11,7 @@ import pytest
 from sim.files.studio import edits, groups
 from sim.files.studio.document import Spot, footprint_at, new_document
 from sim.files.studio.history import begun
-from sim.files.studio.keeping import Autosave, Opened, lost, open_scene, piped, recent, recover, remember, save
+from sim.files.studio.keeping import Autosave, Opened, lost, open_scene, piped, recent, recover, remember, save, world_for
 from sim.files.studio.writing import text_of
 from tests.structure import ROOT
 from worlds.errors import InputError
@@ -151,3 +151,9 @@ def test_a_scene_comes_through_a_pipe():
     for raw, said in wrong.items():
         with pytest.raises(InputError, match=said):
             piped(io.BytesIO(raw))
+
+
+def test_a_scene_without_footprints_may_have_anything_in_the_middle(path):
+    path.write_text(TEXT.split("# the first")[0] + "[[tree]]\nposition = [4.5, 2.0]\nradius = 0.3\n")
+    opened = open_scene(path)
+    assert world_for(opened.document, path).trees.shape == (1, 3)
