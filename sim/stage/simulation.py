@@ -130,15 +130,16 @@ class Simulation(Cast):
         """Those who come stand in their rows, and the others see them."""
         before = self.com()
         for one in come:
+            self.characters[one.row] = one.character
+        self.kinds, self.crowd.kind[:] = kinds_of(self.characters)
+        self.bipeds = table_of(self.kinds)
+        for one in come:
             number = int(self.crowd.number[one.row])
             self.footprints.come(one.row)
-            self.characters[one.row] = one.character
             self.stand_beside(one.row, (one.x, one.y), one.heading)
             self.crowd.number[one.row], intents = max(number, 2), self.crowd.intents
             intents.aim[one.row], intents.rank[one.row], intents.hindered[one.row] = 0.0, 0.0, 0
             self.crowd.paused[one.row] = False
-        self.kinds, self.crowd.kind[:] = kinds_of(self.characters)
-        self.bipeds = table_of(self.kinds)
         self._go_on_measuring(np.array([one.row for one in come]), before)
         self._publish_anew()
 

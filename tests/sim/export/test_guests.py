@@ -88,8 +88,7 @@ def test_pedpy_reads_them(tmp_path):
 
 def test_who_is_not_there_has_no_size_and_no_contacts(tmp_path):
     export_glb(clip(), str(tmp_path / "a.glb"), Asked())
-    told = node("validate.mjs", str(tmp_path / "a.glb"))
-    assert told["issues"]["numErrors"] == 0
+    assert node("validate.mjs", str(tmp_path / "a.glb")) == [[0, 0, []]]
     for actor in clip().actors:
         table = contacts_of(actor, clip().time)
         assert set(table["time"]) <= set(clip().time[actor.there].tolist())

@@ -63,6 +63,18 @@ def test_nobody_comes_onto_somebody_else():
     until(hall(seed=4, source=[Source(area=[(1.0, 3.0), (2.0, 5.0)], rate=3.0, to=["east"])]), 15.0, look)
 
 
+def test_who_comes_stands_on_legs_of_its_own_length():
+    small = [Population(name="small", share=1.0, character="human", size=(0.8, 0.0))]
+
+    def look(sim):
+        rows, pose = np.flatnonzero(sim.present()), sim.snapshot()
+        legs = np.linalg.norm(pose.hip[rows] - pose.ankle[rows], axis=2)
+        assert (legs < 1.002 * np.array([[sim.characters[c].biped.leg.max_length] for c in rows])).all()
+        assert (np.abs(pose.com_velocity[rows, 2]) < 1.0).all()  # who falls onto them is at 2 m/s
+
+    until(hall(population=small, source=[Source(area=ROOM, at_first=3, rate=1.0, to=["east"])]), 6.0, look)
+
+
 def test_those_who_are_there_at_first_and_no_more_than_most():
     sim = hall(source=[Source(area=ROOM, at_first=12, rate=5.0, most=15, to=["east"])])
     assert counts(sim)["came"] == 12 and sim.present().sum() == 12
