@@ -8,7 +8,8 @@ import numpy as np
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import LEFT, RIGHT
 from planner.crowd.bodies import gap_between
-from planner.round.soles import Sole, soles_apart
+from planner.round.reservations import body_sizes
+from planner.round.soles import Sole, soles, soles_apart
 from planner.stepping.beside import beside
 from worlds.errors import InputError
 
@@ -66,17 +67,15 @@ def what_overlaps(one: Dimensions, place: np.ndarray, other: Dimensions, there: 
 
 def _half(biped: Dimensions) -> tuple[float, float]:
     """Half the depth and width of a body that does not sway [m]."""
-    body = biped.body
-    whole = (float(size) if size > 0 else 2 * float(body.radius) for size in (body.depth, body.width))
-    return 0.5 * next(whole), 0.5 * next(whole)
+    deep, wide = 0.5 * body_sizes(biped)
+    return float(deep), float(wide)
 
 
 def _soles(biped: Dimensions, place: np.ndarray) -> list[Sole]:
     x, y, heading = place.tolist()
-    length, width = float(biped.foot.length), float(biped.foot.width)
-    radius = 0.5 * min(length, width)
+    half, radius = soles(biped).tolist()
     feet = (beside(biped, side, (x, y), heading) for side in (LEFT, RIGHT))
-    return [Sole(u, v, cos(heading), sin(heading), 0.5 * length - radius, radius) for u, v in feet]
+    return [Sole(u, v, cos(heading), sin(heading), half, radius) for u, v in feet]
 
 
 def _reach(biped: Dimensions) -> float:

@@ -1,4 +1,4 @@
-"""The steps among which one chooses: directions times lengths, as far as a leg steps in a direction, and standing.
+"""The steps among which one chooses: one in each direction, as long as is asked, up to what a leg steps in it.
 
 Forward, a step is as long as the preferred one; to the side and back it is SHORTER: lengths lie on an ellipse about the newest
 foot's heading (the discs and rings of Seitz & Koster's optimal steps model 2012, with the legs' own reach). The foot turns into

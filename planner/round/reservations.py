@@ -94,11 +94,15 @@ def empty_reservations(bipeds: Any, kind: np.ndarray, size: tuple[float, float],
     )
 
 
+def body_sizes(bipeds: Any) -> np.ndarray:
+    """(K, 2) depth and width of bodies of K kinds, (2,) of one [m]; those that tell none are as wide as twice their radius."""
+    body = bipeds["body"]
+    return np.stack([np.where(body[name] > 0, body[name], 2 * body["radius"]) for name in ("depth", "width")], axis=-1)
+
+
 def halves(bipeds: Any) -> np.ndarray:
     """(K, 2) half the depth and the width that bodies of K kinds keep from others [m], the straying of the com included."""
-    body = bipeds["body"]
-    whole = np.stack([np.where(body[name] > 0, body[name], 2 * body["radius"]) for name in ("depth", "width")], axis=1)
-    return 0.5 * whole + np.stack([AHEAD * body["radius"], STRAY * bipeds["gait"]["step_width"]], axis=1)
+    return 0.5 * body_sizes(bipeds) + np.stack([AHEAD * bipeds["body"]["radius"], STRAY * bipeds["gait"]["step_width"]], axis=1)
 
 
 @jit_borrowing

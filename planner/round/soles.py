@@ -9,10 +9,10 @@ from worlds.compiled.jit import jit_borrowing
 
 
 def soles(bipeds: Any) -> np.ndarray:
-    """(K, 2) half the middle line and the radius of the soles of K kinds [m]: a capsule as long and as wide as the foot."""
+    """(K, 2) half the middle line and the radius of soles of K kinds, (2,) of one [m]: capsules as long and wide as feet."""
     length, width = bipeds["foot"]["length"], bipeds["foot"]["width"]
     radius = 0.5 * np.minimum(length, width)
-    return np.stack([0.5 * length - radius, radius], axis=1)
+    return np.stack([0.5 * length - radius, radius], axis=-1)
 
 
 class Sole(NamedTuple):

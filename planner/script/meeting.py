@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from planner.round.soles import Sole, soles_apart
+from planner.round.soles import Sole, soles, soles_apart
 from planner.script.acting import Act
 
 OVERLAP = 0.01
@@ -36,9 +36,7 @@ def trodden(acts: list[Act]) -> list[str]:
 
 
 def _stances(track: int, act: Act) -> Iterator[_Stance]:
-    foot, prints = act.character.biped.foot, act.motion.footprints
-    radius = 0.5 * min(float(foot.length), float(foot.width))
-    half = 0.5 * float(foot.length) - radius
+    prints, (half, radius) = act.motion.footprints, soles(act.character.biped).tolist()
     for i, ((x, y, _), heading) in enumerate(zip(prints.position.tolist(), prints.heading.tolist(), strict=True)):
         begin = float(prints.contact_time[i])
         sole = Sole(x, y, cos(heading), sin(heading), half, radius)

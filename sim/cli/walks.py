@@ -1,6 +1,7 @@
 """`wander`, `steer`, `river` and `crowd`: from the start, or from a saved state."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from sim.cli import agreeing
@@ -14,16 +15,12 @@ from worlds.level import level_names, visited_names
 
 def walk(options: Any) -> int:
     """Wandering, going where the keys say, crossing to a goal, or coming and going."""
-
-    def check() -> None:
-        agreeing.run(options)
-
     chosen = maker(options.command, options.characters, getattr(options, "mixed", False))
 
     def make(level: str = options.level, character: str | None = options.character, seed: int = options.seed) -> Cast:
         return chosen(level, character, seed)
 
-    return show(options, make, _names(options.command), check, options.restore, _hands(options))
+    return show(options, make, _names(options.command), partial(agreeing.run, options), options.restore, _hands(options))
 
 
 def _names(command: str) -> list[str]:

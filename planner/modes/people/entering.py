@@ -8,7 +8,7 @@ from planner.modes.people.crowding import Grid
 from planner.modes.people.gates import MARGIN, PLACE, Gates, go_on
 from planner.modes.visiting import Visits
 from planner.planner import Coming, Moment, fault_of_place
-from planner.round.reservations import STRAY
+from planner.round.reservations import STRAY, body_sizes
 from planner.stepping.field import course_down
 
 FREE_AGAIN = 0.5
@@ -37,9 +37,7 @@ def let_in(plans: Visits, gates: Gates, moment: Moment, grid: Grid) -> list[Comi
 
 def _reach(character: Character) -> float:
     """How far the body reaches, however it turns and strays [m]."""
-    body = character.biped.body
-    deep, wide = (float(value) or 2 * float(body.radius) for value in (body.depth, body.width))
-    return 0.5 * max(deep, wide) + STRAY * float(character.biped.gait.step_width)
+    return 0.5 * float(body_sizes(character.biped).max()) + STRAY * float(character.biped.gait.step_width)
 
 
 def _next_of(

@@ -24,6 +24,8 @@ INTO = 0.3
 """One goes for a place so far [m] inside its exit."""
 BETTER = 0.85
 """Another exit is taken that takes less than this share of the time that the one in mind takes."""
+BETTER_AT_FIRST = 1.0
+"""Who has none in mind yet takes the best."""
 ARRIVED = 2.25
 """Who stands within so many of its steps of its place in a waiting area has arrived: others may be in the way."""
 MARGIN = 0.3
@@ -145,10 +147,6 @@ def go_on(plans: Visits, gates: Gates, moment: Moment, grid: Grid, c: int) -> No
         _choose_exits(plans, gates, moment, grid, np.array([c]), BETTER_AT_FIRST)
         a = int(plans.area[c])
     plans.area[c], stops.field[c, 0] = a, a
-
-
-BETTER_AT_FIRST = 1.0
-"""Who has none in mind yet takes the best."""
 
 
 def _choose_exits(
