@@ -20,7 +20,7 @@ from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 
 JERK_WEIGHT = 1e-7
 """Of |jerk|^2 [s^3/m]: less lets forces flutter, more rounds them off."""
-STRENGTH = 3.3
+STRENGTH = 3.2
 """Forces beyond so many body weights cost."""
 LOOK_BACK = 6
 """Footprints before the newest among which a standing one is looked for."""

@@ -19,7 +19,7 @@ from motion.track.footprints import LEFT, RIGHT
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 from worlds.compiled.lanes import LANES, anywhere, lanes_of, load, total
 
-STRENGTH_WEIGHT = 0.05
+STRENGTH_WEIGHT = 0.12
 """Of what a force is beyond the strength of the legs, squared [s^2/m]."""
 
 

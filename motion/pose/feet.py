@@ -22,6 +22,9 @@ BENT = 1.15
 """Length of a swinging leg, in shortest ones, from which on it resists to be bent more."""
 FREE_ENDS = 0.25
 """Share of the swing, at either end, over which the first gives way to the second: as far as a standing leg may reach."""
+OPEN, OPENS = 0.0012, 0.12
+"""So much more of its length is free at the very ends, and the share of the swing in which that comes: a standing leg may reach a
+little beyond what it should, and the foot must go on from where it stood."""
 KNEE_TURN, WITH_TOES = 0.6, 0.65
 """Legs bend toward the toes, by this share of their turn from the body, but no farther than so much [rad], so that knees keep
 apart and no foot is twisted off its knee."""
@@ -137,7 +140,8 @@ def _leg_length(biped: Dimensions, length: float, s: float, kept: tuple[float, f
         least = shortest + (bent - shortest) * np.exp((length - bent) / (bent - shortest))
         return length + calm * (least - length)
     less = kept[0] * smoothstep(1 - 2 * s) + kept[1] * smoothstep(2 * s - 1)
-    near = _limited(length, (FIRM_REACH - less) * full, (1 - YIELDS * less) * full)
+    more = OPEN * smoothstep(1 - min(s, 1 - s) / OPENS)
+    near = _limited(length, (FIRM_REACH - less + more) * full, (1 - YIELDS * less + more) * full)
     return near + calm * (_limited(length, FREE_REACH * full, full) - near)
 
 
