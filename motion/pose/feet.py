@@ -18,13 +18,13 @@ FREE_REACH, FIRM_REACH = 0.93, 0.9985
 """Shares of its full length up to which a swinging leg goes freely: in mid-swing, and near the ends."""
 YIELDS = 0.45
 """How much less than its full length a runner's leg is let come to, in what it may reach less: straight knees pop."""
-BENT = 1.15
+BENT = 1.25
 """Length of a swinging leg, in shortest ones, from which on it resists to be bent more."""
 FREE_ENDS = 0.25
 """Share of the swing, at either end, over which the first gives way to the second: as far as a standing leg may reach."""
 OPEN, OPENS = 0.0012, 0.12
-"""So much more of its length is free at the very ends, and the share of the swing in which that comes: a standing leg may reach a
-little beyond what it should, and the foot must go on from where it stood."""
+"""So much more of its length is free at the very ends, and the share of the swing in which that comes: a standing leg reaches a
+little beyond what it should, and the foot goes on from where it stood."""
 KNEE_TURN, WITH_TOES = 0.6, 0.65
 """Legs bend toward the toes, by this share of their turn from the body, but no farther than so much [rad], so that knees keep
 apart and no foot is twisted off its knee."""

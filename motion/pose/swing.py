@@ -32,6 +32,8 @@ PITCH_WALK, PITCH_RUN = 0.75, 0.93
 """Share of the swing in which the foot becomes parallel to the ground again."""
 PITCH_STANCES = 2.5
 """The same in times of the stance before, at most: who carries a foot for long lets it hang flat."""
+HIGH_STEP, LEVELS = 0.4, 0.4
+"""Height between its footprints, in nominal legs, at which a foot is level sooner, and by which share: toes clear edges."""
 LATE_WALK, LATE_RUN = 1.07, 1.55
 """How late a foot goes ahead: a power of the share of the swing."""
 KICK = 0.85
@@ -100,6 +102,8 @@ def heel_up(biped: Dimensions, footprints: Footprints, before: int, after: int, 
     time, left_with = swing_time(footprints, before, after), foot.leaving_angle(biped, footprints, before)
     run = foot.runs(footprints, before)
     end = min(PITCH_WALK + run * (PITCH_RUN - PITCH_WALK), PITCH_STANCES * footprints.stance_time[before] / time)
+    height = footprints.position[after, 2] - footprints.position[before, 2]
+    end *= 1 - LEVELS * smoothstep(abs(height) / (HIGH_STEP * biped.leg.nominal_length))
     if left_with == 0.0 or s >= end:
         return 0.0
     x = s / end

@@ -25,6 +25,8 @@ MOST_RISES = 3
 """No lift is above so many of the highest steps: whatever lies between needs no more."""
 ROUGH = 0.16
 """Clearance on ground that is not level, in foot lengths, where the gait's own is less: there one lifts the feet."""
+RIM = 0.02
+"""Rocks count as so much wider [m] in the middle of a swing: one that lies between two of the samples is not missed."""
 EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
 QUICK, CALM = 0.6, 1.2
@@ -156,6 +158,13 @@ def is_level(biped: Dimensions, world: WorldArrays, footprints: Footprints, befo
 
 
 @jit_borrowing
+def _below(world: WorldArrays, x: float, y: float, rim: float) -> float:
+    """Height of the ground [m] where rocks are wider by `rim`."""
+    rock, height = queries.rock_under(world, x, y, -rim), queries.terrain_height(world, x, y)
+    return max(height, world.rocks[rock, 3]) if rock >= 0 else height
+
+
+@jit_borrowing
 def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before: int, after: int) -> float:
     """Lift [m] with which heel, ball and toe clear the ground below by the gait's clearance at mid-swing."""
     most, ball = MOST_RISES * biped.reach.max_rise, biped.foot.ball_forward
@@ -170,7 +179,7 @@ def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before:
         rise = swing.bump(s)
         for forward, bend in ((back, sole.pitch), (0.0, 0.0), (ahead, sole.pitch - sole.flex)):
             p = swing.point_of_foot(sole, forward, 0.0, bend)
-            ground = 0.0 if level else queries.ground_height(world, p[0], p[1])
+            ground = 0.0 if level else _below(world, p[0], p[1], RIM * rise)
             lack = ground + clearance * rise - p[2]
             lift = max(lift, min(lack / rise, most))
     return lift

@@ -48,6 +48,24 @@ def test_legs_do_not_pop_and_reach(name):
     assert r["overreach"] <= 1e-3
 
 
+JOINTS = ("com", "hip", "knee", "hock", "ankle", "heel", "ball", "toe", "shoulder", "elbow", "hand", "head", "tail")
+
+
+@pytest.mark.parametrize("name", scene_names())
+def test_no_joint_changes_its_velocity_at_once(name):
+    motion, h = Performance(load_scene(name)).motion, 5e-6
+    f, knots = motion.footprints, motion.curve.time
+    for t in np.concatenate([f.contact_time, f.contact_time + f.stance_time]):
+        if not knots[0] + 0.1 < t < knots[-1] - 0.1:
+            continue
+        poses = [motion.pose(t + k * h) for k in (-5, -3, -1, 1, 3, 5)]
+        for joint in JOINTS:
+            a, b, c, d, e, g = (getattr(pose, joint)[0].reshape(-1, 3) for pose in poses)
+            before, after = (3 * c - 4 * b + a) / (4 * h), (4 * e - 3 * d - g) / (4 * h)
+            assert np.linalg.norm(after - before, axis=1).max() <= 0.03, (joint, t)
+            assert np.linalg.norm(d - c - h * (before + after), axis=1).max() <= 1e-6, (joint, t)
+
+
 @pytest.mark.parametrize("name", scene_names())
 def test_physics_is_kept(name):
     r = report(name)
