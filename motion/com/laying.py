@@ -17,6 +17,7 @@ from motion.track.footprints import LEFT, Footprints
 from motion.track.pelvis import pelvis_between, pelvis_turns
 from motion.track.pieces import BRIEF, flies, flown, in_pieces
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
+from worlds.compiled.tables import newest
 
 JERK_WEIGHT = 1e-7
 """Of |jerk|^2 [s^3/m]: less lets forces flutter, more rounds them off."""
@@ -78,7 +79,7 @@ def lay_samples(biped: Dimensions, footprints: Footprints, problem: Problem, sup
     for i in range(len(problem.time) - 1):
         begin, end, k = problem.time[i], problem.time[i + 1], i * (samples + 1)
         left, right = support[i, 0], support[i, 1]
-        first = max(np.searchsorted(footprints.contact_time, begin, side="right") - LOOK_BACK, 0) if by_step else 0
+        first = max(newest(footprints.contact_time, begin) + 1 - LOOK_BACK, 0) if by_step else 0
         for j in range(samples):
             t = begin + (j + 0.5) / samples * (end - begin)
             if by_step:
@@ -157,13 +158,15 @@ def build_problem(
     )
     if layout.smooth:
         problem = problems.with_effort(problem, STRENGTH * GRAVITY, JERK_WEIGHT, problem.pull)
-        problem.comfort_share[:m] = share
+        for i in range(m):
+            problem.comfort_share[i] = share[i]
         _limit_ends(biped, footprints, problem, support[:m])
-    problem.time[:] = time[: m + 1]
+    problem.time[m] = time[m]
     for i in range(m):
+        problem.time[i] = time[i]
         if layout.steady and flies(support, i):
             problem.weight[i] = BRIEF + (1 - BRIEF) * max(2 * flown(time, support, i, True) - 1, 0.0)
-        n = max(np.searchsorted(footprints.contact_time, 0.5 * (time[i] + time[i + 1]), side="right") - 1, 0)
+        n = max(newest(footprints.contact_time, 0.5 * (time[i] + time[i + 1])), 0)
         problem.gravity[i] *= footprints.gravity[n]
         problem.comfort_share[i] *= footprints.comfort[n]
     lay_samples(biped, footprints, problem, support, layout.by_step)

@@ -230,5 +230,7 @@ def _begin_anew(problem: Problem, control: np.ndarray, e: float) -> tuple[float,
     guess.straight_guess(problem, cold, 1)
     cold_e, iterations = newton.minimise(problem, cold, newton.HARDER)
     if cold_e < e:
-        control[:] = cold
+        for i in range(len(control)):
+            for k in range(6):
+                control[i, k] = cold[i, k]
     return min(cold_e, e), iterations

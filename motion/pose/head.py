@@ -19,6 +19,7 @@ from motion.track import foot, heading
 from motion.track.curve import Curve, Track, position_at
 from motion.track.footprints import Footprints, out_of_plane
 from worlds.compiled.jit import jit_borrowing, stack_array
+from worlds.compiled.tables import newest
 
 LOOKS_ASIDE = 1.0
 """Largest turn of the head against the body [rad]."""
@@ -72,7 +73,7 @@ def _care(biped: Dimensions, footprints: Footprints, n: int) -> float:
 @jit_borrowing
 def _step_at(footprints: Footprints, t: float) -> tuple[int, float]:
     """(footprint that landed last, share of the time to the next contact that has passed since)."""
-    i = max(int(np.searchsorted(footprints.contact_time, t, side="right")) - 1, 0)
+    i = max(newest(footprints.contact_time, t), 0)
     return i, min(max((t - footprints.contact_time[i]) / max(footprints.step_time[i], 1e-3), 0.0), 1.0)
 
 

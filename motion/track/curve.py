@@ -15,7 +15,7 @@ import numpy as np
 
 from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit_borrowing
-from worlds.compiled.tables import Column, Numbers, copy_row, part
+from worlds.compiled.tables import Column, Numbers, copy_row, newest, part
 
 Weights = tuple[float, float, float, float]
 
@@ -63,8 +63,7 @@ def acceleration_weights(s: float, duration: float) -> Weights:
 @jit_borrowing
 def segment_at(time: np.ndarray, t: float) -> int:
     """Index of the segment holding t; `time` (m + 1,). Times outside fall to the first or last segment."""
-    index = int(np.searchsorted(time, t, side="right")) - 1
-    return min(max(index, 0), len(time) - 2)
+    return min(max(newest(time, t), 0), len(time) - 2)
 
 
 @jit_borrowing

@@ -15,6 +15,7 @@ from motion.arithmetic.gravity import pendulum_time
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.tables import newest
 
 WINDOW_STEPS = 1.0
 """Length of the average in nominal step times sqrt(l / g) * 1.6: longer is calmer, but lags in a turn."""
@@ -46,7 +47,7 @@ def mean_heading(footprints: Footprints, t: float, window: float) -> float:
     old ones changes no bit.
     """
     begin, upper, total = t - window, t, 0.0
-    last = max(int(np.searchsorted(footprints.contact_time, t, side="right")) - 1, 0)
+    last = max(newest(footprints.contact_time, t), 0)
     for i in range(last, -1, -1):
         lower = max(footprints.contact_time[i], begin)
         if lower < upper:

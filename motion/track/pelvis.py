@@ -12,6 +12,7 @@ from motion.arithmetic.smooth import smoothstep
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import LEFT, Footprints
 from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.tables import newest
 
 WHOLE = 0.5
 """Share of the preferred step from which on the pelvis lists wholly."""
@@ -38,7 +39,7 @@ def _share(footprints: Footprints, i: int, t: float) -> float:
 @jit_borrowing
 def weight_at(footprints: Footprints, t: float) -> float:
     """Over which leg the trunk leans at time t [s]: 1 the left, -1 the right, 0 at contacts and while standing on both."""
-    i = int(np.searchsorted(footprints.contact_time, t, side="right")) - 1
+    i = newest(footprints.contact_time, t)
     if i < 0 or footprints.stands[i]:
         return 0.0
     x = _share(footprints, i, t)
@@ -64,7 +65,7 @@ def pelvis_turns(biped: Dimensions, footprints: Footprints) -> np.ndarray:
 @jit_borrowing
 def pelvis_between(biped: Dimensions, footprints: Footprints, turns: np.ndarray, t: float) -> tuple[float, float]:
     """pelvis_at, with the footprints' own turns (n, 2) at hand."""
-    i = int(np.searchsorted(footprints.contact_time, t, side="right")) - 1
+    i = newest(footprints.contact_time, t)
     if i < 0:
         return 0.0, 0.0
     following = min(i + 1, len(footprints.side) - 1)
@@ -74,7 +75,7 @@ def pelvis_between(biped: Dimensions, footprints: Footprints, turns: np.ndarray,
 @jit_borrowing
 def pelvis_at(biped: Dimensions, footprints: Footprints, t: float) -> tuple[float, float]:
     """(turn, list) [rad] at time t [s]: counter-clockwise against the body's heading, and left side up."""
-    i = int(np.searchsorted(footprints.contact_time, t, side="right")) - 1
+    i = newest(footprints.contact_time, t)
     if i < 0:
         return 0.0, 0.0
     turn, ahead = _turn_at(biped, footprints, i)

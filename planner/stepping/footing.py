@@ -2,7 +2,7 @@
 
 A sole stands where all of it is dry and inside the world, no tree, wall or ground reaches up into it, and a preferred step up
 the slope rises by no more than the highest step. It comes there from another foot within the reach of a step: not farther than
-a leap, no higher than max_rise, no deeper than max_drop.
+a leap, no higher than max_rise, no deeper than max_drop, over nothing that is higher than both by more than max_rise.
 """
 
 from math import cos, hypot, inf, sin
@@ -111,7 +111,26 @@ def why_not_step(biped: Dimensions, world: WorldArrays, foot: Foot, x: float, y:
         return HIGH
     if rise < -biped.reach.max_drop:
         return DEEP
-    return ROCK if _strikes(biped, world, x, y, heading) else why_not_stand(biped, world, x, y, heading)
+    why = ROCK if _strikes(biped, world, x, y, heading) else why_not_stand(biped, world, x, y, heading)
+    return HIGH if why == FINE and not _can_be_lifted_over(biped, world, foot, x, y) else why
+
+
+@jit_borrowing
+def _can_be_lifted_over(biped: Dimensions, world: WorldArrays, other: Foot, x: float, y: float) -> bool:
+    """Whether nothing between, from beside the other foot on, is higher than both by more than the highest step."""
+    begin = beside(biped, 1 - other.side, middle_beside(biped, other), other.heading)
+    dx, dy = x - begin[0], y - begin[1]
+    far = hypot(dx, dy)
+    if is_bare(world, x, y, far) and is_gentle(biped, world):
+        return True
+    count, wide = int(far / (0.5 * biped.foot.length)) + 1, 0.5 * biped.foot.width / max(far, 1e-9)
+    most = biped.reach.max_rise + max(queries.ground_height(world, x, y), queries.ground_height(world, other.x, other.y))
+    for k in range(1, count):
+        for side in (-wide, wide):
+            px, py = begin[0] + k / count * dx - side * dy, begin[1] + k / count * dy + side * dx
+            if queries.ground_height(world, px, py) > most:
+                return False
+    return True
 
 
 @jit_borrowing

@@ -165,14 +165,28 @@ def _below(world: WorldArrays, x: float, y: float, rim: float) -> float:
 
 
 @jit_borrowing
+def _depth(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: int) -> float:
+    """How far the ground reaches into the sole of a footprint, at its heel, ball and toe [m]."""
+    deep, half = 0.0, 0.5 * biped.foot.length
+    for forward in (-half, biped.foot.ball_forward, half):
+        p = foot.along_sole(footprints, n, forward, 0.0)
+        deep = max(deep, queries.ground_height(world, p[0], p[1]) - p[2])
+    return deep
+
+
+@jit_borrowing
 def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before: int, after: int) -> float:
-    """Lift [m] with which heel, ball and toe clear the ground below by the gait's clearance at mid-swing."""
+    """Lift [m] with which heel, ball and toe clear the ground below by the gait's clearance at mid-swing.
+
+    A sole that stands in the ground a little, on a crest, leaves it and comes to it as deep: no lift helps there.
+    """
     most, ball = MOST_RISES * biped.reach.max_rise, biped.foot.ball_forward
     back, ahead = -0.5 * biped.foot.length - ball, 0.5 * biped.foot.length - ball
     footprints.lift[after] = 0.0
     level = is_level(biped, world, footprints, before, after)
     lift = clearance = biped.gait.clearance if level else max(biped.gait.clearance, ROUGH * biped.foot.length)
     samples = LEVEL_SAMPLES if level else SAMPLES
+    deep = 0.0 if level else max(_depth(biped, world, footprints, before), _depth(biped, world, footprints, after))
     for k in range(1, samples):
         s = k / samples
         sole = swing.sole_at(biped, footprints, before, after, s)
@@ -180,6 +194,6 @@ def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before:
         for forward, bend in ((back, sole.pitch), (0.0, 0.0), (ahead, sole.pitch - sole.flex)):
             p = swing.point_of_foot(sole, forward, 0.0, bend)
             ground = 0.0 if level else _below(world, p[0], p[1], RIM * rise)
-            lack = ground + clearance * rise - p[2]
+            lack = ground + clearance * rise - p[2] - (1 - rise) * deep
             lift = max(lift, min(lack / rise, most))
     return lift

@@ -11,6 +11,7 @@ from motion.pose import turning
 from motion.pose.bones import Bones, Placed
 from motion.pose.pose import empty_pose
 from motion.pose.posing import pose_one
+from motion.track import curve, phases
 from motion.track.curve import Curve
 from motion.track.footprints import STEP, Footprints
 from planner.modes import visiting
@@ -20,11 +21,12 @@ from planner.modes.wander import Wander
 from planner.river import grid, moves, search
 from planner.river.rock_hop import RockHop
 from planner.script import laying
-from planner.stepping import field, timing
+from planner.stepping import beside, field, timing
 from sim.rows import crowd as crowds
 from sim.rows import posing, rounds
 from sim.stage.cast import TICK_RATE, Cast
 from worlds import queries
+from worlds.arrays import WorldArrays
 from worlds.compiled.tables import empty
 from worlds.world import World
 
@@ -36,7 +38,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
     world = World("warm-up", (10.0, 10.0), start=(5.0, 5.0))
     cast = Cast(world, [load_character("bird")], 0, TICK_RATE)
     crowd, bipeds, w, biped = cast.crowd, cast.bipeds, world.arrays, cast.bipeds[0]
-    one, matrix, place = np.zeros(2, np.int64), np.zeros((2, 3)), (w, 0.0, 0.0)
+    one, matrix = np.zeros(2, np.int64), np.zeros((2, 3))
     span, nothing = window.Span(0.0, 0.0, matrix, matrix, matrix), empty(Curve, 1)
     spots, land = moves.Spots(matrix, one, np.zeros((2, 2), np.int64)), grid.empty_grid(1, 1)
     return {
@@ -53,17 +55,16 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
         ],
         "bones": [
             (turning.fill_all_bones, (biped, empty_pose(1), empty(Bones, 1))),
+            (curve.evaluate, (empty(Curve, 2), 0.0, *np.zeros((3, 3)))),
+            (phases.phase_of, (0, 0)),
             (turning.lay_bones, (empty(Bones, 1), one, matrix, matrix, Placed(matrix[None], matrix[None], matrix[None]))),
         ],
         "standing": [
             (crowds.stand, (crowd, bipeds, w, 0, 0, matrix, 0.0)),
             (rounds.publish_all, (0, one)),
+            (beside.beside, (biped, 0, (0.0, 0.0), 0.0)),
         ],
-        "ground": [
-            (queries.rock_under, (*place, 0.0)),
-            (queries.survey, (w, np.zeros((2, 2)), matrix)),
-            *((kernel, place) for kernel in (queries.clearance, queries.terrain_height, queries.in_water)),
-        ],
+        "ground": _ground(w),
         "speeds of people": [(visiting.speeds_of, (bipeds, np.zeros(1), np.zeros(1)))],
         "stride law": [(timing.step_timing, (biped, 0.0, 0.0, 0.0, False, 0.0, True, 0.0))],
         "route search": [(search.find, (biped, spots, land, 0, 0))],
@@ -73,3 +74,16 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
         ],
         "whole curves": [(motion.solve_track, (biped, empty(Footprints, 1), 0.0, matrix, window.SCENE, newton.SCENE))],
     }
+
+
+def _ground(world: WorldArrays) -> list[tuple[Any, tuple]]:
+    """What is asked of the world by all that draw and place."""
+    at_a_place = (
+        queries.clearance, queries.terrain_height, queries.in_water, queries.tree_clearance, queries.wall_clearance,
+        queries.border_clearance,
+    )  # fmt: skip
+    return [
+        (queries.rock_under, (world, 0.0, 0.0, 0.0)),
+        (queries.survey, (world, np.zeros((2, 2)), np.zeros((2, 3)))),
+        *((kernel, (world, 0.0, 0.0)) for kernel in at_a_place),
+    ]

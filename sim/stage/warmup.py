@@ -1,60 +1,68 @@
-"""The first start: kernels are compiled one after the other, by plain names, and half of them in a second process.
+"""The first start: kernels are compiled one after the other, by plain names, by two processes side by side.
 
 Compiled kernels are kept (worlds.compiled.cache), so this happens once for these sources, this numba and this processor. They
-are compiled for the types of their arguments, which a small cast provides; nothing is run. Half of them are compiled by a
-second process meanwhile. The solver takes as long as all the others together; one who walks alone needs no way around others.
+are compiled for the types of their arguments, which a small cast provides; nothing is run. Whoever is free takes the next one,
+those that take longest first. One who walks alone needs no way around others.
 """
 
 import os
 import subprocess
 import sys
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import llvmlite.binding
 import numba
 
 from worlds.compiled import leaving
 from worlds.compiled.jit import start_threads
-from worlds.compiled.telling import be_quiet, compiling, tell
+from worlds.compiled.telling import be_quiet, compiling
 
 ROOT = Path(__file__).resolve().parents[2]
-SOLVE, OTHERS = "window solve", "going around others"
-WALK, SHOWN = ("placing footprints", "tick of the crowd"), ("poses", "bones", "standing", "ground")
+OTHERS = "going around others"
+WALK, SHOWN = ("window solve", "poses", "placing footprints"), ("tick of the crowd", "bones", "standing", "ground")
 NEEDED = {
-    "wander": ((SOLVE,), (*WALK, "wandering", *SHOWN)),
-    "wander of many": ((SOLVE,), (*WALK, "wandering", *SHOWN, OTHERS)),
-    "steer": ((SOLVE,), (*WALK, "steering", *SHOWN)),
-    "steer of many": ((SOLVE,), (*WALK, "steering", *SHOWN, OTHERS)),
-    "river": ((SOLVE, "route search"), (*WALK, "crossing", *SHOWN)),
-    "river of many": ((SOLVE, "route search"), (*WALK, "crossing", *SHOWN, OTHERS)),
-    "crowd": ((SOLVE,), (*WALK, "visiting", "ways", "speeds of people", *SHOWN, OTHERS)),
-    "import-trajectories": (("whole curves", "stride law"), ("laying footprints", *SHOWN)),
-    "play": (("whole curves",), ("laying footprints", *SHOWN)),
-    "edit": (("whole curves", "edited curves"), ("laying footprints", *SHOWN)),
+    "wander": (*WALK, "wandering", *SHOWN),
+    "wander of many": (*WALK, OTHERS, "wandering", *SHOWN),
+    "steer": (*WALK, "steering", *SHOWN),
+    "steer of many": (*WALK, OTHERS, "steering", *SHOWN),
+    "river": (*WALK, "crossing", "route search", *SHOWN),
+    "river of many": (*WALK, OTHERS, "crossing", "route search", *SHOWN),
+    "crowd": (*WALK, OTHERS, "visiting", "ways", *SHOWN, "speeds of people"),
+    "import-trajectories": ("whole curves", "poses", "laying footprints", "stride law", *SHOWN[1:]),
+    "play": ("whole curves", "poses", "laying footprints", *SHOWN[1:]),
+    "edit": ("whole curves", "edited curves", "poses", "laying footprints", *SHOWN[1:]),
 }
-"""What a command needs: (compiled here, by the second process)."""
+"""What a command needs, in the order in which it is begun."""
 
 
 def warm_up(command: str, tell: Callable[[str], None], characters: int = 1) -> None:
     """Compiles what the command needs, where it has not been yet; tell is called with a line for each kernel."""
     if characters > 1 and f"{command} of many" in NEEDED:
         command = f"{command} of many"
-    ours, theirs = NEEDED[command]
     stamp = _stamp(command)
     if stamp is None or stamp.exists():
         return
     start_threads()  # before there are two who would complain
-    names = (*ours, *theirs)
+    names = NEEDED[command]
+    untaken = iter(names)  # each name goes to one of the two
     helper = subprocess.Popen(
-        [sys.executable, "-m", "sim.stage.warmup", ",".join(names), ",".join(theirs)],
+        [sys.executable, "-m", "sim.stage.warmup"],
         cwd=ROOT,
         start_new_session=os.name == "posix",  # Ctrl-C is ours: we end it
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
     )
     leaving.remember(helper, helper.terminate)
+    giver = threading.Thread(target=_give, args=(helper, untaken), daemon=True)
     try:
+        giver.start()
         with compiling():
-            _compile(names, ours, tell)
+            _compile(untaken, lambda name: tell(f"compiling {names.index(name) + 1} of {len(names)}: {name} ..."))
             helper.wait()
     finally:
         if helper.poll() is None:
@@ -62,6 +70,26 @@ def warm_up(command: str, tell: Callable[[str], None], characters: int = 1) -> N
         leaving.forget(helper)
     if stamp.parent.is_dir():
         stamp.touch()
+
+
+def _give(helper: Any, untaken: Iterator[str]) -> None:
+    """Gives the helper a name whenever it asks for one, by a line, until none is left."""
+    with suppress(OSError, ValueError), helper.stdin:  # it may have been ended
+        for _ in helper.stdout:
+            name = next(untaken, None)
+            if name is None:
+                return
+            print(name, file=helper.stdin, flush=True)
+
+
+def _given() -> Iterator[str]:
+    """The names that we are given, each asked for once the one before is done."""
+    while True:
+        print(flush=True)
+        name = sys.stdin.readline().strip()
+        if not name:
+            return
+        yield name
 
 
 def _stamp(command: str) -> Path | None:
@@ -72,17 +100,16 @@ def _stamp(command: str) -> Path | None:
     return Path(os.environ["NUMBA_CACHE_DIR"]) / f"warm-{command.replace(' ', '-')}-{made_for}"
 
 
-def _compile(names: tuple[str, ...], mine: tuple[str, ...], tell: Callable[[str], None]) -> None:
+def _compile(names: Iterable[str], tell: Callable[[str], None]) -> None:
     from sim.stage.kernels import steps
 
     kernels = steps()
-    for name in mine:
-        tell(f"compiling {names.index(name) + 1} of {len(names)}: {name} ...")
+    for name in names:
+        tell(name)
         for kernel, arguments in kernels[name]:
             kernel.compile(tuple(numba.typeof(one) for one in arguments))
 
 
 if __name__ == "__main__":
     be_quiet()
-    every, some = (tuple(names.split(",")) for names in sys.argv[1:])
-    _compile(every, some, tell)
+    _compile(_given(), lambda name: None)

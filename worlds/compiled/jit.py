@@ -40,7 +40,8 @@ for _warning in _said:
 if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
     raise InputError("NUMBA_DISABLE_JIT is set: Footfall's kernels are compiled, or nothing; unset it")
 
-from worlds.compiled.kept import Kept  # noqa: E402  (it needs numba)
+from worlds.compiled.inner import Compiled  # noqa: E402  (they need numba)
+from worlds.compiled.kept import Kept  # noqa: E402
 
 # Where numba was imported before, it has not read them.
 numba.config.CACHE_DIR = str(_FOLDER or "")  # type: ignore[attr-defined]
@@ -79,7 +80,7 @@ def _compiler(**options: Any) -> Callable[[Kernel], Kernel]:
     """A decorator that compiles with these options, and is plain to the type checker."""
 
     def decorate(kernel: Kernel) -> Kernel:
-        compiled = numba.njit(**options)(kernel)
+        compiled: Any = numba.njit(**options)(kernel) if "parallel" in options else Compiled(kernel, options)
         compiled._cache = _kept(kernel)
         return compiled
 

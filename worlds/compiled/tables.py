@@ -11,7 +11,7 @@ import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
 
-from worlds.compiled.jit import intrinsic
+from worlds.compiled.jit import intrinsic, jit_borrowing
 
 Table = TypeVar("Table", bound=tuple)
 
@@ -150,3 +150,16 @@ def copy_row(_, table, source, goal):
         return context.get_dummy_value()
 
     return types.none(table, source, goal), codegen
+
+
+@jit_borrowing
+def newest(times: np.ndarray, t: float) -> int:
+    """Index of the last of ascending times (n,) that is not after t; -1 where all are. np.searchsorted compiles for long."""
+    low, high = 0, len(times)
+    while low < high:
+        middle = (low + high) // 2
+        if t < times[middle]:
+            high = middle
+        else:
+            low = middle + 1
+    return low - 1

@@ -55,6 +55,14 @@ def test_a_step_is_within_reach():
     assert why_not_step(HUMAN.biped, PLACE, Foot(LEFT, 2.0, 2.0, 0.0, 0.0, 0.0), 4.1, 2.0, 0.0) == FAR
 
 
+@pytest.mark.parametrize(("height", "why"), [(0.4, FINE), (0.5, HIGH)])
+def test_a_foot_is_lifted_over_what_is_no_higher_than_the_highest_step(height, why):
+    """A human climbs 0.45 m; the rock lies between the right foot and where it shall go, by the left one's side."""
+    place = World("between", (20.0, 20.0), rocks=np.array([[10.4, 9.9, 0.1, height]])).arrays
+    left = Foot(LEFT, 10.0, 10.06, 0.0, 0.0, 0.0)
+    assert why_not_step(HUMAN.biped, place, left, 10.75, 9.9, 0.0) == why
+
+
 def slope(steepness):
     heights = np.tile(np.arange(41) * 0.5 * steepness, (41, 1))
     return World("slope", (20.0, 20.0), "heightmap", (0.5,), heights, start=(10.0, 10.0))

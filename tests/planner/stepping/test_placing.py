@@ -63,3 +63,15 @@ def test_ground_with_a_rock_in_the_way_is_not_level():
         assert placing.is_level(b, rocky(29.5).arrays, footprints, 2, 4)
         at = start[0] + rng.uniform() * (goal[0] - start[0])
         assert not placing.is_level(b, rocky(at).arrays, footprints, 2, 4)
+
+
+@pytest.mark.parametrize("character", ["bird", "human", "dinosaur"])
+def test_a_sole_that_stands_in_a_crest_is_not_lifted_for_it(character):
+    """What reaches 5 mm into a standing sole is there at either end of the swing, where no lift helps."""
+    b, footprints = walk(character, np.random.default_rng(3))
+    bumps = World("bumps", (30.0, 10.0), "heightmap", (0.5,), np.zeros((21, 61))).arrays
+    placing.lay_swing(b, bumps, footprints, 4)
+    level = footprints.lift[4]
+    footprints.position[:, 2] -= 0.005
+    placing.lay_swing(b, bumps, footprints, 4)
+    assert level - 1e-9 <= footprints.lift[4] < level + 0.02

@@ -1,5 +1,6 @@
 """The first start compiles kernels for the very types that they are called with later."""
 
+import io
 import subprocess
 import sys
 from unittest.mock import Mock
@@ -25,7 +26,7 @@ from worlds.level import load_level
 def test_nothing_is_left_to_compile():
     needed = kernels.steps()
     every = [kernel for step in needed.values() for kernel, _ in step]
-    warmup._compile(tuple(needed), tuple(needed), lambda line: None)
+    warmup._compile(needed, lambda name: None)
     compiled = [_compiled(kernel) for kernel in every]
     sim = Simulation(load_level("forest"), [load_character("human")] * 3, Wander(), 1)
     for _ in range(90):
@@ -67,20 +68,30 @@ def _compiled(kernel) -> list:
 
 @pytest.mark.parametrize("command", warmup.NEEDED)
 def test_progress_names_what_is_compiled(command, tmp_path, monkeypatch):
-    names = set(kernels.steps())
-    ours, theirs = warmup.NEEDED[command]
-    assert {*ours, *theirs} <= names
+    names = warmup.NEEDED[command]
+    assert set(names) <= set(kernels.steps()) and len(set(names)) == len(names)
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(kernels, "steps", lambda: {name: [] for name in names})
-    helped = Mock(poll=lambda: 0)
+    helped = Mock(poll=lambda: 0, stdout=(), stdin=io.StringIO())
     monkeypatch.setattr(warmup.subprocess, "Popen", Mock(return_value=helped))
     told: list[str] = []
     warmup.warm_up(command, told.append)
-    count = len(ours) + len(theirs)
-    assert told == [f"compiling {k + 1} of {count}: {name} ..." for k, name in enumerate(ours)]
+    assert told == [f"compiling {k + 1} of {len(names)}: {name} ..." for k, name in enumerate(names)]
     helped.wait.assert_called_once()
     warmup.warm_up(command, told.append)
-    assert len(told) == len(ours)
+    assert len(told) == len(names)
+
+
+def test_the_second_process_takes_what_is_left(monkeypatch):
+    """It asks for a name by a line, and is told by an end that there is none."""
+    helper = Mock(stdout=iter("\n" * 3), stdin=io.StringIO())
+    monkeypatch.setattr(helper.stdin, "close", lambda: None)
+    untaken = iter(("a", "b", "c"))
+    assert next(untaken) == "a"
+    warmup._give(helper, untaken)
+    assert helper.stdin.getvalue() == "b\nc\n" and next(untaken, None) is None
+    monkeypatch.setattr(warmup.sys, "stdin", io.StringIO(helper.stdin.getvalue()))
+    assert list(warmup._given()) == ["b", "c"]
 
 
 def test_one_who_is_alone_needs_no_way_around_others():
@@ -88,18 +99,18 @@ def test_one_who_is_alone_needs_no_way_around_others():
     alone, several = (Simulation(world, [bird] * count, Wander(), 1) for count in (1, 3))
     assert alone.work.value.others == 0 and several.work.value.others == rounds.go_around.address
     needed = [warmup.NEEDED[name] for name in ("wander", "wander of many", "river", "river of many")]
-    assert [warmup.OTHERS in (*ours, *theirs) for ours, theirs in needed] == [False, True, False, True]
+    assert [warmup.OTHERS in names for names in needed] == [False, True, False, True]
 
 
 def test_many_are_told_what_they_need(tmp_path, monkeypatch):
     names: list[str] = []
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(kernels, "steps", lambda: {name: [] for name in (*kernel_names,)})
-    monkeypatch.setattr(warmup.subprocess, "Popen", lambda asked, **_: names.append(asked[-1]) or Mock(poll=lambda: 0))
-    kernel_names = [name for pair in warmup.NEEDED.values() for part in pair for name in part]
+    monkeypatch.setattr(warmup.subprocess, "Popen", lambda *_, **__: Mock(poll=lambda: 0, stdout=(), stdin=io.StringIO()))
+    kernel_names = [name for needed in warmup.NEEDED.values() for name in needed]
     for characters in (1, 2, 1, 2):
-        warmup.warm_up("wander", lambda _: None, characters)
-    assert [warmup.OTHERS in asked for asked in names] == [False, True]
+        warmup.warm_up("wander", names.append, characters)
+    assert [warmup.OTHERS in line for line in names if "placing" in line or warmup.OTHERS in line] == [False, False, True]
 
 
 @pytest.mark.parametrize("some", [[2, 0], [1]])
