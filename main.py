@@ -15,7 +15,7 @@ LOCKS = {
     "requirements": ("numpy", "pygame", "moderngl", "numba", "imgui_bundle", "OpenGL", "pydantic", "PIL", "tomlkit"),
     "requirements-video": ("imageio_ffmpeg",),
     "requirements-plots": ("matplotlib",),
-    "requirements-test": ("pytest", "hypothesis", "scipy", "mypy", "importlinter", "ruff"),
+    "requirements-test": ("pytest", "hypothesis", "scipy", "mypy", "importlinter", "ruff", "gymnasium", "pettingzoo"),
 }
 """What is pinned where, and what of it is imported: the first is needed always, the others by some commands."""
 STARTED, COMPLETE = "footfall", "complete"

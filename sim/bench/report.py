@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from statistics import median
 from time import perf_counter
@@ -10,7 +11,7 @@ import numpy as np
 
 from motion.characters.character import load_character
 from planner.modes.wander import Wander
-from sim.bench import crowds, live, solver
+from sim.bench import crowds, learning, live, solver
 from sim.stage.simulation import Simulation
 from worlds.level import load_level
 
@@ -23,16 +24,22 @@ FRAMES = (1, 100, 1000)
 """Characters in view, of which frames per second are told."""
 
 
-def run(quick: bool) -> dict:
-    """All figures (README, Benchmarks). quick: fewer repetitions, no crowd above 100."""
-    report: dict = {"solver": solver.compare(5 if quick else 21), "window": live.report()}
-    report["crowd"] = {str(n): crowds.measure(n, seconds) for n, seconds in (QUICK_CROWDS if quick else CROWDS)}
-    report["crowd_growth_exponent"] = crowds.growth(report["crowd"])
-    report["startup_s"] = startup(1 if quick else 3)
-    by_characters = {str(n): frames(n, 20 if quick else 60) for n in FRAMES}
-    report["frames_per_second"] = by_characters["1"]
-    report["frames_per_second_by_characters"] = by_characters
+def run(quick: bool, only: str | None = None) -> dict:
+    """All figures (README, Benchmarks), or one part of them. quick: fewer repetitions, no crowd above 100."""
+    report: dict = {}
+    for part in PARTS if only is None else (only,):
+        report |= PARTS[part](quick)
     return report
+
+
+def _crowds(quick: bool) -> dict:
+    by_count = {str(n): crowds.measure(n, seconds) for n, seconds in (QUICK_CROWDS if quick else CROWDS)}
+    return {"crowd": by_count, "crowd_growth_exponent": crowds.growth(by_count)}
+
+
+def _frames(quick: bool) -> dict:
+    by_characters = {str(n): frames(n, 20 if quick else 60) for n in FRAMES}
+    return {"frames_per_second": by_characters["1"], "frames_per_second_by_characters": by_characters}
 
 
 def startup(runs: int) -> float:
@@ -73,25 +80,46 @@ def frames(n: int, count: int) -> float | None:
     return 1 / median(seconds[5:])
 
 
+PARTS: dict[str, Callable[[bool], dict]] = {
+    "solver": lambda quick: {"solver": solver.compare(5 if quick else 21)},
+    "window": lambda quick: {"window": live.report()},
+    "crowd": _crowds,
+    "learning": lambda quick: {"learning": learning.report(500 if quick else 3000)},
+    "startup": lambda quick: {"startup_s": startup(1 if quick else 3)},
+    "frames": _frames,
+}
+"""What is measured, by names."""
+
+
 def in_words(report: dict) -> str:
-    """The report for people."""
+    """The report, or a part of it, for people."""
+    lines = _solvers_in_words(report["solver"]) if "solver" in report else []
+    if "window" in report:
+        lines.append(
+            f"live window: {report['window']['us_per_step']:.0f} us per step, "
+            f"E {report['window']['cost_over_tight']:.3f} of the same windows solved tightly, "
+            f"{report['window']['cost_over_global']:.3f} of the global optimum ({live.STEPS}-step wander)"
+        )
+    lines += crowds.in_words(report.get("crowd", {}))
+    if report.get("crowd_growth_exponent"):
+        lines.append(f"cost grows as characters^{report['crowd_growth_exponent']:.2f} from 1000 on")
+    lines += learning.in_words(report.get("learning", {}))
+    if "startup_s" in report:
+        lines.append(f"start-up {report['startup_s']:.2f} s")
+    if "frames_per_second" in report:
+        rates = report["frames_per_second_by_characters"]
+        told = ", ".join(f"{rate:.0f} with {n}" for n, rate in rates.items() if rate)
+        lines.append(f"frames/s: {told} in view" if told else "frames/s: no OpenGL here")
+    return "\n".join(lines)
+
+
+def _solvers_in_words(by_track: dict[str, dict]) -> list[str]:
     lines = ["12-step tracks, a segment per step or per phase, 10 samples   ms (E, E / best)"]
-    for track, row in report["solver"].items():
+    for track, row in by_track.items():
         cells = [
             f"{name} {row[f'{name}_ms']:.2f} ({row[f'{name}_cost']:.3f}, {row[f'{name}_cost'] / row['best_cost']:.3f})"
             for name in ("newton", "newton_loose", "greedy", "lbfgs", "ipopt")
             if f"{name}_ms" in row
         ]
         lines.append(f"  {track}: " + ", ".join(cells))
-    lines.append(
-        f"live window: {report['window']['us_per_step']:.0f} us per step, "
-        f"E {report['window']['cost_over_tight']:.3f} of the same windows solved tightly, "
-        f"{report['window']['cost_over_global']:.3f} of the global optimum ({live.STEPS}-step wander)"
-    )
-    lines += crowds.in_words(report["crowd"])
-    if report["crowd_growth_exponent"]:
-        lines.append(f"cost grows as characters^{report['crowd_growth_exponent']:.2f} from 1000 on")
-    rates = report["frames_per_second_by_characters"]
-    told = ", ".join(f"{rate:.0f} with {n}" for n, rate in rates.items() if rate)
-    lines.append(f"start-up {report['startup_s']:.2f} s; " + (f"frames/s: {told} in view" if told else "no OpenGL here"))
-    return "\n".join(lines)
+    return lines

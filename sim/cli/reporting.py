@@ -58,7 +58,11 @@ def bench(options: Any) -> None:
     from sim.bench import report
 
     _check_plot(options.plot)
-    results = report.run(options.quick)
+    if options.only not in (None, *report.PARTS):
+        raise InputError(f"--only {options.only}: there are {', '.join(report.PARTS)}")
+    if options.plot and options.only not in (None, "crowd"):
+        raise InputError(f"--plot draws crowds, and --only {options.only} measures none: leave one of them out")
+    results = report.run(options.quick, options.only)
     if options.plot:
         _plots().plot_crowds(results["crowd"], options.plot)
         _say_plot(options)

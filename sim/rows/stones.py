@@ -17,11 +17,12 @@ from motion.track.footprints import LEFT, RIGHT, Foot, Step, feet_before, step_o
 from planner.round.round import UNHURRIED, Wish
 from planner.stepping import random
 from planner.stepping.beside import beside, middle_beside
-from planner.stepping.placing import EDGE, lay_swing
+from planner.stepping.placing import EDGE, lay_strike
 from planner.stepping.taking import take_step
 from sim.rows.crowd import REAL, TENTATIVE, shift, stand
 from sim.rows.posing import SHARE, WORKERS
 from sim.rows.rounds import open_work
+from sim.rows.stone_windows import expected, retime
 from worlds.arrays import FLAT, WorldArrays
 from worlds.compiled.jit import jit, jit_borrowing, jit_parallel
 from worlds.compiled.parts import call, handle, take
@@ -43,8 +44,6 @@ ACTIONS = 4
 """How far ahead, how far aside, how far turned, how quickly: each -1 to 1."""
 QUICKER = 0.5
 """The quickest step takes 2^-QUICKER of the automatic time, the slowest 2^QUICKER."""
-SEEN = 8 + 4 + 3 * IN_VIEW
-"""Numbers of an observation."""
 _AWAY, _YAW, _PITCH = range(40, 43)
 
 
@@ -192,7 +191,10 @@ def _expected(place: np.ndarray, k: int, side: int) -> Step:
 
 @jit_borrowing
 def _step(optimise: int, work_at: int, ground: Ground, c: int) -> None:
-    """Row c takes the step of its action; one that would land beside the next stone is not taken."""
+    """Row c takes the step of its action; one that would land beside the next stone is not taken.
+
+    How high the foot swings is left open: it costs a third of a step, and neither what is seen nor the reward asks for it.
+    """
     work, place = open_work(work_at), ground.stones.place[c]
     crowd, world, action, out = work.crowd, _world_of(ground, c), ground.actions[c], ground.outcome
     biped, footprints = work.round.bipeds[crowd.kind[c]], row(crowd.footprints, c)
@@ -207,14 +209,16 @@ def _step(optimise: int, work_at: int, ground: Ground, c: int) -> None:
     if crowd.real[c] == REAL:
         shift(crowd, c)
     n = crowd.real[c]
+    was = expected(footprints, n - 1)
     crowd.number[c] += 1
     take_step(biped, world, footprints, n, _wish(step))
     time = footprints.step_time[n - 1] * 2 ** (-QUICKER * action[3])
     take_step(biped, world, footprints, n, _wish(_timed(step, time)))
-    lay_swing(biped, world, footprints, n)
+    lay_strike(biped, footprints, n)
     for k in range(1, TENTATIVE + 1):
         side = step.side if k % 2 == 0 else 1 - step.side
         take_step(biped, world, footprints, n + k, _wish(_expected(place, NEXT + k, side)))
+    retime(row(crowd.window, c), crowd.points[c], was, expected(footprints, n - 1))
     crowd.real[c], crowd.standing[c] = n + 1, False
     call(optimise, work_at, c)
     out.cost[c] = crowd.window_cost[c, 0]
@@ -233,34 +237,7 @@ def _step_some(optimise: int, work_at: int, ground_at: int, rows: np.ndarray, co
 
 @jit_parallel
 def step_rows(optimise: int, work_at: int, ground_at: int, rows: np.ndarray) -> None:
-    """The rows (K,) each take the step of their action; optimise: where rounds.optimise_step lies."""
+    """The rows (K,) each take the step of their action; optimise: where stone_windows.optimise_stones lies."""
     counter = np.zeros(1, np.int64)
     for _ in prange(WORKERS):
         _step_some(optimise, work_at, ground_at, rows, counter)
-
-
-@jit
-def observe_rows(work_at: int, ground_at: int, seen: np.ndarray) -> None:
-    """Fills seen (N, SEEN): what lies around each newer foot, along its heading, mirrored where the right foot is next.
-
-    com and its velocity, step and stance time, the older foot with its heading, the next stones; metres, seconds, radians.
-    """
-    crowd, ground = open_work(work_at).crowd, open_ground(ground_at)
-    for c in range(len(crowd.kind)):
-        n, segment = crowd.real[c] - 1, crowd.segments[c]
-        f, place, com = row(crowd.footprints, c), ground.stones.place[c], crowd.committed.control[c, segment]
-        p, q, mirror = f.position[n], f.position[n - 1], -1.0 if f.side[n] == LEFT else 1.0
-        co, si = cos(f.heading[n]), sin(f.heading[n])
-        _put(seen[c], 0, com[0] - p[0], com[1] - p[1], com[2] - p[2], co, si, mirror)
-        _put(seen[c], 3, com[3], com[4], com[5], co, si, mirror)
-        seen[c, 6], seen[c, 7] = f.step_time[n - 1], f.stance_time[n - 1]
-        _put(seen[c], 8, q[0] - p[0], q[1] - p[1], q[2] - p[2], co, si, mirror)
-        seen[c, 11] = mirror * (f.heading[n - 1] - f.heading[n])
-        for k in range(IN_VIEW):
-            stone = place[NEXT + k]
-            _put(seen[c], 12 + 3 * k, stone[0] - p[0], stone[1] - p[1], stone[3] - p[2], co, si, mirror)
-
-
-@jit_borrowing
-def _put(seen: np.ndarray, at: int, x: float, y: float, z: float, co: float, si: float, mirror: float) -> None:
-    seen[at], seen[at + 1], seen[at + 2] = x * co + y * si, mirror * (y * co - x * si), z

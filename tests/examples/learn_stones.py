@@ -10,7 +10,8 @@ import sys
 
 import numpy as np
 
-from sim.rows.stones import ACTIONS, SEEN
+from sim.rows.stone_sight import SEEN
+from sim.rows.stones import ACTIONS
 from sim.stage.learning.stepping import SteppingStones
 
 POLICIES, ELITE, ROWS, STEPS = 160, 24, 12, 15

@@ -11,7 +11,8 @@ from gymnasium import spaces
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
-from sim.rows.stones import ACTIONS, SEEN
+from sim.rows.stone_sight import SEEN
+from sim.rows.stones import ACTIONS
 from sim.stage.learning.stepping import FARTHEST, SteppingStones
 
 NAME = "footfall/Stones-v0"

@@ -16,7 +16,9 @@ from planner.round.refusals import nothing_refused
 from sim.rows import rounds
 from sim.rows.crowd import empty_crowd
 from sim.rows.posing import THREADS
-from sim.rows.stones import ACTIONS, GROUND, SEEN, begin_rows, ground_of, observe_rows, step_rows
+from sim.rows.stone_sight import SEEN, observe_rows
+from sim.rows.stone_windows import optimise_stones
+from sim.rows.stones import ACTIONS, GROUND, begin_rows, ground_of, step_rows
 from sim.stage.asked import MOST_SEED, whole
 from sim.stage.cast import table_of
 from worlds.compiled.memory import Held
@@ -31,7 +33,7 @@ FALL = 1.0
 HARDER, EASIER = 0.1, 0.05
 """A curriculum: how much harder stones are after an episode that was finished, and easier after one that was not half done."""
 MOST_ROWS = 100_000
-EFFORT = Effort(1, 3e-3, 3e-3, 16, 1e-2, 2.0)
+EFFORT = Effort(1, 0.1, 0.1, 16, 1e-2, 20.0)
 """Of the window solve: stones make every window costlier than a walk, so only falls get more of it."""
 FARTHEST = 50.0
 """No number that is seen is larger, either way."""
@@ -63,7 +65,7 @@ class SteppingStones:
         self.character = load_character(character) if isinstance(character, str) else character
         self.rows, self.curriculum, self.first_level = rows, curriculum, float(level)
         """At which level all rows begin."""
-        self._optimise = rounds.optimise_step.address
+        self._optimise = optimise_stones.address
         bipeds, self.crowd = table_of([self.character]), empty_crowd(np.zeros(rows, np.int64))
         around = A_ROUND._replace(kind=self.crowd.kind, bipeds=bipeds, intents=self.crowd.intents)
         self._work = Held(rounds.Work(self.crowd, around, 0, 0, 0, nothing_refused(rows), EFFORT), rounds.WORK)
@@ -91,7 +93,7 @@ class SteppingStones:
         return self.seen()
 
     def seen(self) -> np.ndarray:
-        """(N, SEEN) float32: what each character sees (sim.rows.stones.observe_rows)."""
+        """(N, SEEN) float32: what each character sees (sim.rows.stone_sight.observe_rows)."""
         observe_rows(self._work.address, self._ground.address, self._seen)
         return self._seen.clip(-FARTHEST, FARTHEST).astype(np.float32)
 

@@ -16,6 +16,7 @@ class Mesh:
         self._rows: moderngl.Buffer | None = None
         self._arrays: dict[tuple[int, int], moderngl.VertexArray] = {}
         self.count = 0
+        self._chosen = -1  # corners that are drawn; -1: all
 
     def write(self, rows: np.ndarray, at: int = 0, keep: int = 0) -> None:
         """Puts rows (N, ...) float32 at row `at`; `keep` rows before them outlive a buffer that had to grow."""
@@ -26,6 +27,15 @@ class Mesh:
         if len(rows):
             self._rows.write(np.ascontiguousarray(rows), offset=at * rows[:1].nbytes)
         self.count = max(keep, at + len(rows))
+
+    def choose(self, indices: np.ndarray) -> None:
+        """Draws these triangles alone, corners (K,), until it is told others."""
+        if indices.nbytes > self._indices.size:
+            self._indices.release()
+            self._indices = self.ctx.buffer(reserve=2 * indices.nbytes, dynamic=True)
+            self._forget_arrays()
+        self._indices.write(np.ascontiguousarray(indices, "i4"))
+        self._chosen = len(indices)
 
     def _grow(self, size: int, keep: int) -> None:
         old, self._rows = self._rows, self.ctx.buffer(reserve=max(size, 1 << 14), dynamic=True)
@@ -43,7 +53,7 @@ class Mesh:
     def draw(self, program: moderngl.Program, shape: "Mesh | None" = None) -> None:
         """Draws it: all rows, or once where it has none; `shape` lends its triangles to the rows."""
         if self.row_layout is None:
-            self._array(program, self).render()
+            self._array(program, self).render(vertices=self._chosen)
         elif self.count:
             self._array(program, shape or self).render(instances=self.count)
 

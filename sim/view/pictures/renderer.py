@@ -14,6 +14,7 @@ from sim.view.graphics.quality import Quality
 from sim.view.pictures.overlays import OVERLAYS, goal, overlays
 from sim.view.scenery import meshes
 from sim.view.scenery.forest import Forest
+from sim.view.scenery.ground import Ground
 from sim.view.scenery.trail import Trail
 from worlds.world import World
 
@@ -53,6 +54,7 @@ class Renderer:
         }
         self._overlays = Mesh(ctx, ("4f", "in_shape"), *meshes.capsule(3, 6), CLAY)
         self._forest = Forest(ctx)
+        self._ground: Ground | None = None
         self._trail, self._prints = Trail(), list[Mesh]()
         self.shadow: moderngl.Texture | None = None
         self._shadow_target: moderngl.Framebuffer | None = None
@@ -85,11 +87,22 @@ class Renderer:
         """Builds the world's geometry, where it differs from the one shown; edits rebuild only what they touch."""
         old, self._world = self._world, world
         if old is None or old.name != world.name or len(old.trees) != len(world.trees):
-            self._upload("ground", *meshes.GROUNDS.get(world.terrain, meshes.ground)(world))
+            self._lay_ground(world)
             self._forest.plant(world)
         self._upload("rocks", meshes.rocks(world))
         self._upload("walls", meshes.walls(world))
         self._upload("water", meshes.water(world))
+
+    def _lay_ground(self, world: World) -> None:
+        """Smooth terrain in tiles, stairs as they are."""
+        if self._ground:
+            self._ground.release()
+            self._ground = None
+        if world.terrain in meshes.GROUNDS:
+            self._upload("ground", *meshes.GROUNDS[world.terrain](world))
+        else:
+            self._upload("ground", np.zeros((0, 9)))
+            self._ground = Ground(self.ctx, MESH, meshes.ground_grid(world))
 
     def draw(self, target: moderngl.Framebuffer, sim: Cast, camera: Camera, time: float, focus: int) -> None:
         """Draws everything at simulated `time` [s] into target; focus is the character with overlays.
@@ -97,7 +110,7 @@ class Renderer:
         What hides other things is drawn first, so that hidden pixels cost nothing.
         """
         view, sun = camera.matrix(target.width / target.height), self._sun_matrix(camera)
-        self._prepare(sim, time, view, target.height, focus)
+        self._prepare(sim, time, view, camera.eye, target.height, focus)
         self.ctx.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         if self.quality.shadow_size:
             self._shadow_pass(sun)
@@ -123,11 +136,13 @@ class Renderer:
         for prints in self._prints:
             prints.draw(lit["print"])
         self._draw_static("ground", lit["mesh"])
+        if self._ground:
+            self._ground.draw(lit["mesh"])
         self.ctx.disable(moderngl.CULL_FACE)
         self._draw_static("water", lit["water"])
         self._sky.render()
 
-    def _prepare(self, sim: Cast, time: float, view: np.ndarray, height: int, focus: int) -> None:
+    def _prepare(self, sim: Cast, time: float, view: np.ndarray, eye: np.ndarray, height: int, focus: int) -> None:
         """Uploads what has changed since the last frame."""
         if self._world is not sim.world:
             self.set_world(sim.world)
@@ -142,6 +157,8 @@ class Renderer:
         for name, mesh in self._clay.items():
             mesh.write(getattr(self.bodies, name).rows())
         self._forest.cull(view, height)
+        if self._ground:
+            self._ground.cull(view, eye, height)
         self._footprints(sim)
 
     def _footprints(self, sim: Cast) -> None:

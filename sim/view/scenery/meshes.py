@@ -63,9 +63,16 @@ def _triangles(points: np.ndarray, colour: np.ndarray) -> np.ndarray:
 
 
 def ground(world: World, cells: int = 150) -> tuple[np.ndarray, np.ndarray]:
+    """The terrain as vertices (K, 9) and triangles (T, 3)."""
+    grid = ground_grid(world, cells)
+    index = np.arange(grid.shape[0] * grid.shape[1]).reshape(grid.shape[:2])
+    return grid.reshape(-1, 9), quads(index).reshape(-1, 3)
+
+
+def ground_grid(world: World, cells: int = 150) -> np.ndarray:
     """The terrain, wide beyond the border, coloured by moss, and by sand along the water; hollowed under it.
 
-    Vertices (K, 9) and triangles (T, 3).
+    Vertices (R, C, 9), rows along y and columns along x.
     """
     xs = np.linspace(-SKIRT, world.size[0] + SKIRT, cells)
     ys = np.linspace(-SKIRT, world.size[1] + SKIRT, cells)
@@ -88,8 +95,7 @@ def ground(world: World, cells: int = 150) -> tuple[np.ndarray, np.ndarray]:
     dy, dx = np.gradient(height, ys, xs)
     normals = np.stack([-dx, -dy, np.ones_like(dx)], axis=2)
     normals /= np.linalg.norm(normals, axis=2, keepdims=True)
-    index = np.arange(height.size).reshape(height.shape)
-    return np.concatenate([points, normals, colours], axis=2).reshape(-1, 9).astype("f4"), quads(index).reshape(-1, 3)
+    return np.concatenate([points, normals, colours], axis=2).astype("f4")
 
 
 def stairs(world: World) -> tuple[np.ndarray, np.ndarray]:

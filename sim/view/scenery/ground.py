@@ -1,0 +1,97 @@
+"""The terrain in tiles: those in view are drawn, coarser afar, with skirts that close the cracks between them.
+
+A processor that draws spends most of its time on triangles smaller than a few pixels, of which a fine grid has many.
+"""
+
+from functools import cache
+
+import moderngl
+import numpy as np
+
+from sim.view.graphics import detail
+from sim.view.graphics.mesh import Mesh
+from sim.view.scenery.meshes import quads
+
+TILE = 8
+"""Cells along a side of a tile."""
+STRIDES = (8, 4, 2, 1)
+"""Every so manieth row and column of the grid is drawn, the coarsest first."""
+COARSE_PIXELS = 12.0
+"""Cells narrower than this on screen are always put together; wider ones where that shows as little as OFF says."""
+OFF_PIXELS, OFF_COLOUR, OFF_NORMAL = 0.7, 0.012, 0.03
+"""How far a coarser tile may be off: in height on screen, in colour, in its normals."""
+DROP = 0.5
+"""How far skirts hang down [m]."""
+
+
+class Ground:
+    """Draws a grid of vertices (R, C, 9), position, normal and colour; rows go along +y, columns along +x."""
+
+    def __init__(self, ctx: moderngl.Context, layout: tuple, grid: np.ndarray) -> None:
+        rows, columns = grid.shape[:2]
+        hanging = grid.copy()
+        hanging[..., 2] -= DROP
+        self._mesh = Mesh(ctx, layout, np.concatenate([grid.reshape(-1, 9), hanging.reshape(-1, 9)]), np.zeros(3))
+        self._below, self._columns = rows * columns, columns
+        corners = [(r, c) for r in range(0, rows - 1, TILE) for c in range(0, columns - 1, TILE)]
+        self._tiles = [(r, c, min(r + TILE, rows - 1) - r, min(c + TILE, columns - 1) - c) for r, c in corners]
+        boxes = [grid[r : r + high + 1, c : c + wide + 1, :3].reshape(-1, 3) for r, c, high, wide in self._tiles]
+        low, high = np.array([box.min(axis=0) for box in boxes]), np.array([box.max(axis=0) for box in boxes])
+        self._middle = 0.5 * (low + high).astype(float)
+        self._radius = 0.5 * np.linalg.norm(high - low, axis=1) + DROP
+        self._cell = float(max(np.abs(grid[0, 1] - grid[0, 0])[0], np.abs(grid[1, 0] - grid[0, 0])[1]))
+        self._off = np.array([[_off(grid[r : r + h + 1, c : c + w + 1], s) for s in STRIDES] for r, c, h, w in self._tiles])
+        self._shown = b""
+
+    def cull(self, view: np.ndarray, eye: np.ndarray, height: int) -> None:
+        """Chooses what is drawn into a view (4, 4) from the eye (3,), of `height` pixels."""
+        seen = detail.in_view(view, self._middle, self._radius)
+        away = np.maximum(np.linalg.norm(self._middle - eye, axis=1) - self._radius, 0.1)
+        scale = 0.5 * height * float(np.linalg.norm(view[1, :3])) / away  # pixels of a metre
+        fits = self._off[:, :, 1] <= 1.0
+        fits &= self._off[:, :, 0] * scale[:, None] <= OFF_PIXELS
+        fits |= scale[:, None] * self._cell * np.array(STRIDES) <= COARSE_PIXELS
+        level = np.argmax(fits, axis=1)  # the coarsest that fits; the finest always does
+        level[~seen] = -1
+        if level.tobytes() != self._shown:
+            self._shown = level.tobytes()
+            corners = [self._corners(k, STRIDES[level[k]]) for k in np.flatnonzero(seen).tolist()]
+            self._mesh.choose(np.concatenate([np.zeros(0, "i4"), *corners]).astype("i4"))
+
+    def _corners(self, k: int, stride: int) -> np.ndarray:
+        r, c, high, wide = self._tiles[k]
+        local = _pattern(high, wide, stride)
+        index = (r + local[:, 0]) * self._columns + c + local[:, 1]
+        return index + self._below * local[:, 2]
+
+    def draw(self, program: moderngl.Program) -> None:
+        """Draws the tiles chosen last."""
+        self._mesh.draw(program)
+
+    def release(self) -> None:
+        """Gives everything back."""
+        self._mesh.release()
+
+
+def _off(tile: np.ndarray, stride: int) -> tuple[float, float]:
+    """How far a tile (R, C, 9) is off where it is drawn with a stride: in height [m], and in what else is allowed."""
+    kept = [np.unique(np.append(np.arange(0, n - 1, stride), n - 1)) for n in tile.shape[:2]]
+    down, across = (_blend(n, some) for n, some in zip(tile.shape[:2], kept, strict=True))
+    off = np.abs(np.einsum("ra,abk,cb->rck", down, tile[np.ix_(*kept)], across) - tile).max(axis=(0, 1))
+    return float(off[2]), float(max(off[3:6].max() / OFF_NORMAL, off[6:].max() / OFF_COLOUR))
+
+
+def _blend(count: int, kept: np.ndarray) -> np.ndarray:
+    """(count, K) weights of the kept ones in what lies straight between them."""
+    return np.array([np.interp(np.arange(count), kept, one) for one in np.eye(len(kept))]).T
+
+
+@cache
+def _pattern(high: int, wide: int, stride: int) -> np.ndarray:
+    """(K, 3) corners of the triangles of a tile of so many cells: row, column, and whether it hangs."""
+    rows, columns = (np.unique(np.append(np.arange(0, cells, stride), cells)) for cells in (high, wide))
+    grid = np.stack([*np.meshgrid(rows, columns, indexing="ij"), np.zeros((len(rows), len(columns)), int)], axis=-1)
+    rims = [grid[0], grid[:, -1], grid[-1, ::-1], grid[::-1, 0]]  # counter-clockwise, as seen from above
+    hung = [rim + np.array([0, 0, 1]) for rim in rims]
+    skirts = [quads(np.stack([low, rim])).reshape(-1, 3) for low, rim in zip(hung, rims, strict=True)]
+    return np.concatenate([quads(grid).reshape(-1, 3), *skirts])
