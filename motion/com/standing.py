@@ -2,11 +2,16 @@
 
 import numpy as np
 
+from motion.arithmetic.gravity import pendulum_time
 from motion.characters.dimensions import Dimensions
 from motion.track import foot
 from motion.track.footprints import Footprints
 from motion.track.pelvis import pelvis_at
-from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.jit import jit, jit_borrowing
+
+SETTLES = 2.0
+"""Pendulum times after its last step in which a body comes to rest: any force within the cone of its two legs is free, so by
+physics alone it would take until it has to."""
 
 
 @jit_borrowing
@@ -26,3 +31,22 @@ def above_feet(biped: Dimensions, footprints: Footprints, control: np.ndarray) -
         leg = min(footprints.nominal_length[i], foot.FULL_REACH * biped.leg.max_length)
         rise = max(leg**2 - x * x - y * y, 0.0) ** 0.5
         control[2] = min(control[2], ankle[2] - hip[2] + rise)
+
+
+@jit
+def settling(biped: Dimensions, footprints: Footprints, time: np.ndarray, stiffness: float) -> np.ndarray:
+    """Springs (P, 5) that hold the com at rest at the times (m + 1,) of a curve from SETTLES after the last step on.
+
+    Each: time [s], place [m], stiffness [1/s/m].
+    """
+    last, rest, out = len(footprints.side) - 1, np.empty(6), np.empty((len(time), 5))
+    while last > 0 and footprints.stands[last]:
+        last -= 1
+    above_feet(biped, footprints, rest)
+    settled = footprints.contact_time[last] + SETTLES * pendulum_time(biped.leg.nominal_length)
+    first = int(np.searchsorted(time, settled))
+    for i in range(len(time)):
+        out[i, 0], out[i, 4] = time[i], stiffness
+        for axis in range(3):
+            out[i, 1 + axis] = rest[axis]
+    return out[first:]

@@ -14,7 +14,7 @@ from motion.com import guess, laying, newton
 from motion.com import problem as problems
 from motion.com.newton import Effort
 from motion.com.problem import Layout, Problem
-from motion.com.standing import above_feet
+from motion.com.standing import above_feet, settling
 from motion.track.curve import Curve, end_acceleration, evaluate, segment_at, up_to
 from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit, jit_borrowing
@@ -102,6 +102,13 @@ def _repeat(footprints: Footprints, newest: int, t: float, last: Curve, out: np.
 
 
 @jit_borrowing
+def _stands(footprints: Footprints) -> bool:
+    """Whether it stands at the end, on both feet."""
+    newest = len(footprints.side) - 1
+    return footprints.stands[newest] and footprints.stands[newest - 1]
+
+
+@jit_borrowing
 def begin_window(
     biped: Dimensions, footprints: Footprints, problem: Problem, control: np.ndarray, committed: Curve, last: Curve
 ) -> None:
@@ -115,8 +122,7 @@ def begin_window(
     problem.fixed[0] = True
     if end > 0:
         end_acceleration(committed, problem.bend[0])
-    newest = len(footprints.side) - 1
-    stands = footprints.stands[newest] and footprints.stands[newest - 1]
+    newest, stands = len(footprints.side) - 1, _stands(footprints)
     if stands:
         above_feet(biped, footprints, problem.anchor)
         problem.anchor_stiffness[0], problem.anchor_stiffness[1] = REST_STIFFNESS
@@ -184,7 +190,11 @@ def window_end(footprints: Footprints) -> float:
 @jit
 def lay_window(biped: Dimensions, footprints: Footprints, begin: float) -> tuple[Problem, np.ndarray]:
     """Problem and support of the live window from `begin` [s] on."""
-    return laying.build_problem(biped, footprints, begin, window_end(footprints), LIVE)
+    problem, support = laying.build_problem(biped, footprints, begin, window_end(footprints), LIVE)
+    if _stands(footprints):
+        pull = _pulls(problem.time, settling(biped, footprints, problem.time, REST_STIFFNESS[0]))
+        problem = problems.with_effort(problem, problem.strength, problem.jerk_weight, pull)
+    return problem, support
 
 
 @jit
