@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from motion.characters.character import Character
-from motion.track.footprints import LEFT, RIGHT, SIDES, Footprints
+from motion.track.footprints import LEFT, RIGHT, SIDES, Footprints, outward
 from planner.round.kernel import Planning
 from planner.round.refusals import TURNED
 from planner.stepping.beside import beside
@@ -93,9 +93,11 @@ class Planner(Protocol):
     def values(self) -> dict:
         """What the planner was made with, as plain JSON values: keyword arguments of its class."""
 
-    # A planner that remembers may have check_plans(plans, characters), which raises ValueError for plans of a file that it has
-    # not made: wrong shapes, or numbers that it would index by; arrived(plans), which tells (C,) who has come to where it
-    # was to go, where not all fit onto the world's goal; and looks [m], how far its steps ask for others at least.
+    # A planner whose steps' headings are those of the soles, to the letter, has lays_soles = True; else they are the walker's,
+    # whose toes point outward as its character says. One that remembers may have check_plans(plans, characters), which raises
+    # ValueError for plans of a file that it has not made: wrong shapes, or numbers that it would index by; arrived(plans),
+    # which tells (C,) who has come to where it was to go, where not all fit onto the world's goal; and looks [m], how far its
+    # steps ask for others at least.
     # One that lets people come and go has come_and_go(plans, Moment) -> Turnover, asked at times; there(plans, time),
     # which tells (C,) who is there; and counts(plans), a table for the run's summary. Everyone is away at first.
 
@@ -148,7 +150,8 @@ def fault_of_place(world: World, character: Character, place: Sequence[float]) -
         near = f"{room:.2f} m to the border, a tree or a wall, {biped.body.radius:g} m or more is needed"
         return f"no room for the body of the {character.name}: {near}"
     for side in (LEFT, RIGHT):
-        why = why_not_stand(biped, world.arrays, *beside(biped, side, (x, y), heading), heading)
+        sole = heading + outward(side, biped.gait.toe_out)
+        why = why_not_stand(biped, world.arrays, *beside(biped, side, (x, y), heading), sole)
         if why != FINE:
             return f"the {SIDES[side]} foot of the {character.name} {WORDS[why]}"
     return None

@@ -59,6 +59,7 @@ class Footprints(NamedTuple):
     roll: Pairs  # (n, 2) where on the sole the support begins and ends: 0 heel, 1 toe, 0.5 the middle
     nominal_length: Numbers  # (n,) comfortable virtual leg over it [m]: less is crouched
     facing: Numbers  # (n,) how far the body turns away from the feet over it [rad]
+    toe_out: Numbers  # (n,) how far the sole points to the left of where its walker headed, part of the heading [rad]
     lift: Numbers  # (n,) height of the swing that arrives here above the line between its ends [m]
     hold: Numbers  # (n,) share of that swing, at either end, in which the foot goes only up or down
     strike: Numbers  # (n,) how far the toes are up when it lands on its heel; the heel, below 0 [rad]
@@ -73,7 +74,7 @@ class Foot(NamedTuple):
     side: int
     x: float
     y: float
-    heading: float
+    heading: float  # of the walker: the sole's without its toe-out [rad]
     contact_time: float
     stance_time: float
 
@@ -107,9 +108,21 @@ def step_in(record: Any) -> Step:
 
 
 @jit_borrowing
+def outward(side: int, toe_out: float) -> float:
+    """How far a sole on that side points to the left, whose toes point outward by toe_out [rad]."""
+    return toe_out if side == LEFT else -toe_out
+
+
+@jit_borrowing
+def walker_heading(footprints: Footprints, n: int) -> float:
+    """Where the walker headed who set footprint n [rad]."""
+    return footprints.heading[n] - footprints.toe_out[n]
+
+
+@jit_borrowing
 def _foot(footprints: Footprints, n: int) -> Foot:
     return Foot(
-        footprints.side[n], footprints.position[n, 0], footprints.position[n, 1], footprints.heading[n],
+        footprints.side[n], footprints.position[n, 0], footprints.position[n, 1], walker_heading(footprints, n),
         footprints.contact_time[n], footprints.stance_time[n],
     )  # fmt: skip
 
@@ -127,12 +140,16 @@ def first(footprints: Footprints, n: int) -> Footprints:
 
 
 @jit_borrowing
-def place(footprints: Footprints, n: int, step: Step, ground: tuple[float, float, float, float], rock: int) -> None:
-    """Puts the footprint of a step at row n, on the ground there, its height [m] and normal; neither timed nor rolling yet."""
+def place(footprints: Footprints, n: int, step: Step, out: float, ground: tuple[float, float, float, float], rock: int) -> None:
+    """Puts the footprint of a step at row n, its sole turned left by `out` [rad], on the ground: its height [m] and normal.
+
+    It is neither timed nor rolling yet.
+    """
     footprints.side[n] = step.side
     footprints.position[n, 0], footprints.position[n, 1], footprints.position[n, 2] = step.x, step.y, ground[0]
     footprints.normal[n, 0], footprints.normal[n, 1], footprints.normal[n, 2] = ground[1], ground[2], ground[3]
-    footprints.heading[n], footprints.rock[n], footprints.stands[n] = step.heading, rock, False
+    footprints.heading[n], footprints.toe_out[n] = step.heading + out, out
+    footprints.rock[n], footprints.stands[n] = rock, False
 
 
 @jit_borrowing

@@ -15,7 +15,7 @@ import numpy as np
 
 from motion.arithmetic.angles import wrapped
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import Foot
+from motion.track.footprints import Foot, outward
 from planner.crowd.bodies import gap_between
 from planner.crowd.walker import Walker
 from planner.round import reservations
@@ -136,7 +136,8 @@ def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> 
     """Whether a step keeps off all that the others hold; where bodies are too close already, it may part them."""
     held = round.reservations
     rest_x, rest_y = 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y)
-    sole = sole_of(held.sole, walker.c, step.foot_x, step.foot_y, step.heading)
+    toe_out = outward(walker.side, round.bipeds[round.kind[walker.c]].gait.toe_out)
+    sole = sole_of(held.sole, walker.c, step.foot_x, step.foot_y, step.heading + toe_out)
     facing, face = 0.5 * (walker.heading + step.heading), (walker.face_x, walker.face_y)
     turned = (cos(facing), sin(facing))
     far = walker.wide + hypot(rest_x - walker.rest_x, rest_y - walker.rest_y) + walker.full * step.time

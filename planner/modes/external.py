@@ -65,6 +65,7 @@ class External:
     """Characters that take the steps they are given. starts (C, 3): x, y, heading [m, rad] where they stand at first."""
 
     name = "External"
+    lays_soles = True
     planning = _PLANNING
 
     def __init__(self, starts: object) -> None:

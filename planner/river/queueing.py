@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import STEP, Foot, Step, step_in
+from motion.track.footprints import STEP, Foot, Step, outward, step_in
 from planner.round.kernel import Compiled
 from planner.round.reservations import COMMITTED, TENTATIVE, Reservations, foot_is_free, lag, least_distance, line_distance
 from planner.round.round import PATIENT, UNHURRIED, Me, Round, Wish, biped_of, standing
@@ -177,7 +177,8 @@ def _is_clear_of(round: Round, me: Me, at: int, j: int) -> bool:
         before, step = plans.steps[c, k - 1], plans.steps[c, k]
         length, turn = hypot(step.x - before.x, step.y - before.y), abs(step.heading - before.heading)
         lands = here.time + step_timing(biped, length, 0.0, turn, step.side == before.side)[0]
-        if not foot_is_free(held, j, sole_of(held.sole, c, step.x, step.y, step.heading), SOLES, lands):
+        heading = step.heading + outward(step.side, biped.gait.toe_out)
+        if not foot_is_free(held, j, sole_of(held.sole, c, step.x, step.y, heading), SOLES, lands):
             return False
         x, y = _rest(plans, c, k)
         if not _comes_by(held, c, j, here, x, y, here.time + late, lands + late):

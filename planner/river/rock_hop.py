@@ -114,5 +114,5 @@ def _by_length(routes: list[list[Step]]) -> np.ndarray:
 
 def _under(feet: Footprints) -> list[Step]:
     """The two footprints (2,) that a route begins on."""
-    places = zip(feet.side.tolist(), feet.position.tolist(), feet.heading.tolist(), strict=True)
+    places = zip(feet.side.tolist(), feet.position.tolist(), (feet.heading - feet.toe_out).tolist(), strict=True)
     return [Step(side, x, y, heading) for side, (x, y, _), heading in places]

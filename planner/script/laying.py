@@ -97,11 +97,11 @@ def lay_steps(
     support: float, rest: float,
 ) -> None:  # fmt: skip
     """Fills footprints (K + 2,): two to stand on at `first` (2, 3), the second of foot `side`, and those of steps (K,)."""
-    stand_at(biped, world, footprints, side, first, 0.0)
+    stand_at(biped, world, footprints, side, first, 0.0, 0.0)
     n = len(footprints.side)
     for k in range(2, n):
         step = step_in(steps[k - 2])
-        take_step(biped, world, footprints, k, Wish(step, step.heading, UNHURRIED, False, False))
+        take_step(biped, world, footprints, k, Wish(step, step.heading, UNHURRIED, False, False), 0.0)
     footprints.roll[n - 2 : n, 1] = 0.5
     if not np.isnan(support):
         footprints.roll[2:n] = support

@@ -8,7 +8,7 @@ a leap, no higher than max_rise, no deeper than max_drop, over nothing that is h
 from math import cos, hypot, inf, sin
 
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import Foot
+from motion.track.footprints import Foot, outward
 from planner.round.round import Me, Round, Wish, biped_of, standing, stepping
 from planner.stepping.beside import Place, beside, middle_beside
 from planner.stepping.placing import EDGE, Ground, lay_sole
@@ -103,15 +103,19 @@ def why_not_stand(biped: Dimensions, world: WorldArrays, x: float, y: float, hea
 
 @jit_borrowing
 def why_not_step(biped: Dimensions, world: WorldArrays, foot: Foot, x: float, y: float, heading: float) -> int:
-    """What keeps a sole from standing there, coming from where the other foot stands; FINE for nothing."""
+    """What keeps a foot from being set down there, coming from where the other one stands; FINE for nothing.
+
+    heading: the walker's [rad]; its toes point outward of it.
+    """
     if hypot(x - foot.x, y - foot.y) > biped.reach.max_leap:
         return FAR
-    rise = under_sole(biped, world, x, y, heading)[0] - under_sole(biped, world, foot.x, foot.y, foot.heading)[0]
+    sole = heading + outward(1 - foot.side, biped.gait.toe_out)
+    rise = under_sole(biped, world, x, y, sole)[0] - under_sole(biped, world, foot.x, foot.y, foot.heading)[0]
     if rise > biped.reach.max_rise:
         return HIGH
     if rise < -biped.reach.max_drop:
         return DEEP
-    why = ROCK if _strikes(biped, world, x, y, heading) else why_not_stand(biped, world, x, y, heading)
+    why = ROCK if _strikes(biped, world, x, y, sole) else why_not_stand(biped, world, x, y, sole)
     return HIGH if why == FINE and not _can_be_lifted_over(biped, world, foot, x, y) else why
 
 

@@ -5,7 +5,7 @@ from math import isnan
 import numpy as np
 
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import Footprints, Step, place, rise, stand_on, step_length, step_onto
+from motion.track.footprints import Footprints, Step, outward, place, rise, stand_on, step_length, step_onto, walker_heading
 from planner.round.round import Wish
 from planner.stepping import timing
 from planner.stepping.placing import EDGE, forwardness, landing_share, lay_sole, lay_strike
@@ -22,14 +22,18 @@ START_OVERLAP = 0.6
 
 @jit_borrowing
 def stand_at(
-    biped: Dimensions, world: WorldArrays, footprints: Footprints, side: int, places: np.ndarray, contact: float
+    biped: Dimensions, world: WorldArrays, footprints: Footprints, side: int, places: np.ndarray, contact: float, toe_out: float
 ) -> None:
-    """Fills the first two rows: standing at places (2, 3) x, y, heading, the second with foot `side` since `contact` [s]."""
+    """Fills the first two rows: standing at places (2, 3) x, y, heading, the second with foot `side` since `contact` [s].
+
+    toe_out: how far the soles point outward of these headings [rad].
+    """
     for i in range(2):
         x, y, heading = places[i, 0], places[i, 1], places[i, 2]
         rock = queries.rock_under(world, x, y, EDGE)
         step = step_onto(side if i == 1 else 1 - side, x, y, heading)
-        place(footprints, i, step, lay_sole(biped, world, x, y, heading, rock), rock)
+        out = outward(step.side, toe_out)
+        place(footprints, i, step, out, lay_sole(biped, world, x, y, heading + out, rock), rock)
         footprints.contact_time[i] = contact - 0.5 * (1 - i)
         footprints.stance_time[i], footprints.step_time[i] = 1.0, 0.5
         footprints.roll[i, 0] = footprints.roll[i, 1] = 0.5
@@ -37,14 +41,18 @@ def stand_at(
 
 
 @jit_borrowing
-def take_step(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: int, wish: Wish) -> None:
-    """Puts the footprint of a wished step at row n, after the rows before, and times the one that it leaves."""
+def take_step(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: int, wish: Wish, toe_out: float) -> None:
+    """Puts the footprint of a wished step at row n, after the rows before, and times the one that it leaves.
+
+    toe_out: how far the sole points outward of the step's heading [rad]; 0 where that is the sole's own.
+    """
     step = wish.step
     if step.stands > 0:
         stand_on(footprints, n)
     else:
         rock = queries.rock_under(world, step.x, step.y, EDGE)
-        place(footprints, n, step, lay_sole(biped, world, step.x, step.y, step.heading, rock), rock)
+        out = outward(step.side, toe_out)
+        place(footprints, n, step, out, lay_sole(biped, world, step.x, step.y, step.heading + out, rock), rock)
     _roll(biped, footprints, n)
     time, stance = _timing(biped, footprints, n, wish)
     _set_timing(biped, footprints, n, time, stance)
@@ -82,7 +90,7 @@ def _timing(biped: Dimensions, footprints: Footprints, n: int, wish: Wish) -> tu
     asked = wish.step
     if asked.stands > 0:
         return _as_asked(asked, asked.stands, asked.stands + START_OVERLAP * timing.hip_pendulum(biped))
-    turn = abs(footprints.heading[n] - footprints.heading[n - 1])
+    turn = abs(walker_heading(footprints, n) - walker_heading(footprints, n - 1))
     hop = asked.side == footprints.side[n - 1]
     length, before = step_length(footprints, n), _speed_before(footprints, n)
     running = before > 0 and timing.is_running(biped, step_length(footprints, n - 1), footprints.step_time[n - 2])

@@ -91,10 +91,15 @@ def horizon(crowd: Crowd, c: int) -> float:
 
 
 @jit
-def stand(crowd: Crowd, bipeds: Any, world: WorldArrays, c: int, side: int, places: np.ndarray, contact: float) -> None:
-    """Character c stands since `contact` [s] at places (2, 3) x, y, heading, the second with foot `side`."""
+def stand(
+    crowd: Crowd, bipeds: Any, world: WorldArrays, c: int, side: int, places: np.ndarray, contact: float, soles: bool
+) -> None:
+    """Character c stands since `contact` [s] at places (2, 3) x, y, heading, the second with foot `side`.
+
+    soles: the headings are those of the soles; else the walker's, and toes point outward.
+    """
     biped = bipeds[crowd.kind[c]]
-    stand_at(biped, world, row(crowd.footprints, c), side, places, contact)
+    stand_at(biped, world, row(crowd.footprints, c), side, places, contact, 0.0 if soles else biped.gait.toe_out)
     crowd.real[c], crowd.number[c], crowd.segments[c], crowd.points[c] = 2, 1, 0, 0
     crowd.standing[c] = True
     crowd.committed.time[c, 0] = contact

@@ -41,6 +41,7 @@ class Work(NamedTuple):
     round: Round  # its plans an address, which the planner alone opens
     round_at: int  # where it lies
     planner: int  # where its next_step lies
+    soles: bool  # the headings of steps are those of soles, to the letter; else the walker's, and toes point outward
     others: int  # where going around others lies; 0 for one who is alone, who needs none of that
     refused: Any  # (C,) records of STEP: what it wished that no body can do (planner.round.refusals)
     effort: Effort = newton.LIVE
@@ -53,7 +54,7 @@ class Parts(NamedTuple):
     optimise: int
 
 
-_, open_work, _, WORK = handle(Work(empty_crowd(np.zeros(1)), A_ROUND, 0, 0, 0, nothing_refused(1)))
+_, open_work, _, WORK = handle(Work(empty_crowd(np.zeros(1)), A_ROUND, 0, 0, False, 0, nothing_refused(1)))
 
 
 @jit_borrowing
@@ -118,7 +119,7 @@ def plan_step(address: int, c: int) -> None:
             wish = Wish(going_on(biped, me.feet), me.feet.newer.heading, QUICK, False, False)
         else:
             wish = _wish(work, me)
-        take_step(biped, round.world, footprints, k, wish)
+        take_step(biped, round.world, footprints, k, wish, 0.0 if work.soles else biped.gait.toe_out)
     footprints.lift[n] = 0.0
     if not crowd.standing[c]:
         lay_swing(biped, round.world, footprints, n)

@@ -149,7 +149,7 @@ def _begin(work_at: int, ground: Ground, c: int, places: np.ndarray) -> None:
         place[last, 0], place[last, 1], place[last, 2], place[last, 3] = x, y, _radius(biped, stones.level[c]), HEIGHT
     for _ in range(KEPT - 2):
         _lay_stone(stones, biped, c)
-    stand(crowd, work.round.bipeds, _world_of(ground, c), c, LEFT, places, 0.0)
+    stand(crowd, work.round.bipeds, _world_of(ground, c), c, LEFT, places, 0.0, True)
 
 
 @jit
@@ -211,13 +211,13 @@ def _step(optimise: int, work_at: int, ground: Ground, c: int) -> None:
     n = crowd.real[c]
     was = expected(footprints, n - 1)
     crowd.number[c] += 1
-    take_step(biped, world, footprints, n, _wish(step))
+    take_step(biped, world, footprints, n, _wish(step), 0.0)
     time = footprints.step_time[n - 1] * 2 ** (-QUICKER * action[3])
-    take_step(biped, world, footprints, n, _wish(_timed(step, time)))
+    take_step(biped, world, footprints, n, _wish(_timed(step, time)), 0.0)
     lay_strike(biped, footprints, n)
     for k in range(1, TENTATIVE + 1):
         side = step.side if k % 2 == 0 else 1 - step.side
-        take_step(biped, world, footprints, n + k, _wish(_expected(place, NEXT + k, side)))
+        take_step(biped, world, footprints, n + k, _wish(_expected(place, NEXT + k, side)), 0.0)
     retime(row(crowd.window, c), crowd.points[c], was, expected(footprints, n - 1))
     crowd.real[c], crowd.standing[c] = n + 1, False
     call(optimise, work_at, c)

@@ -47,6 +47,9 @@ class Change(NamedTuple):
 class Cast:
     """Characters, standing at first. A subclass lets them move: `tick`."""
 
+    soles = False
+    """Whether the headings of steps are those of soles, to the letter; else the walker's, and toes point outward."""
+
     def __init__(self, world: World, characters: Sequence[Character], seed: int, tick_rate: int, **capacity: int) -> None:
         asked.check_cast(world, characters, seed, tick_rate)
         start_threads()
@@ -232,7 +235,8 @@ class Cast:
     def stand(self, c: int, side: int, places: np.ndarray) -> None:
         """Lets character c stand, from now on, on places (2, 3) x, y, heading, the second with foot `side`."""
         asked.whole("character", c, 0, len(self.characters) - 1)
-        crowds.stand(self.crowd, self.bipeds, self.world.arrays, c, side, asked.check_places(side, places), self.time)
+        checked = asked.check_places(side, places)
+        crowds.stand(self.crowd, self.bipeds, self.world.arrays, c, side, checked, self.time, self.soles)
 
 
 def kinds_of(characters: Sequence[Character]) -> tuple[list[Character], np.ndarray]:

@@ -60,7 +60,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
             (turning.lay_bones, (empty(Bones, 1), one, matrix, matrix, Placed(matrix[None], matrix[None], matrix[None]))),
         ],
         "standing": [
-            (crowds.stand, (crowd, bipeds, w, 0, 0, matrix, 0.0)),
+            (crowds.stand, (crowd, bipeds, w, 0, 0, matrix, 0.0, False)),
             (rounds.publish_all, (0, one)),
             (beside.beside, (biped, 0, (0.0, 0.0), 0.0)),
         ],

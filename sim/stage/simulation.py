@@ -51,7 +51,7 @@ class Simulation(Cast):
         state: State | None = None, weights: Weights = PEOPLE,
     ) -> None:  # fmt: skip
         super().__init__(world, characters, seed, tick_rate)
-        self.planner, self.weights = planner, weights
+        self.planner, self.weights, self.soles = planner, weights, getattr(planner, "lays_soles", False)
         self._placed, self._refused = np.zeros(len(self.characters), np.int64), nothing_refused(len(self.characters))
         if state is None:
             self._begin()
@@ -111,7 +111,7 @@ class Simulation(Cast):
         """Rows of those who are away: they stand where they are, at rest for ever, and plan nothing."""
         curve, feet = self.crowd.committed, self.feet()
         for c in rows.tolist():
-            places = np.column_stack([feet.position[c, :, :2], feet.heading[c]])
+            places = np.column_stack([feet.position[c, :, :2], feet.heading[c] - feet.toe_out[c]])
             number = int(self.crowd.number[c])
             self.stand(c, int(feet.side[c, 1]), places)
             self.crowd.number[c], self.crowd.segments[c] = number, 1
@@ -203,7 +203,7 @@ class Simulation(Cast):
         self.characters[c] = character
         self.kinds, self.crowd.kind[:] = kinds_of(self.characters)
         self.bipeds = table_of(self.kinds)
-        self.stand_beside(c, (float(middle[0]), float(middle[1])), float(feet.heading[c, 1]))
+        self.stand_beside(c, (float(middle[0]), float(middle[1])), float(feet.heading[c, 1] - feet.toe_out[c, 1]))
         self.crowd.number[c] = number
         self.crowd.intents.aim[c], self.crowd.intents.rank[c], self.crowd.intents.hindered[c] = 0.0, 0.0, 0
         self._use(plans)
@@ -222,7 +222,7 @@ class Simulation(Cast):
         planner = self.planner.planning.address(round._replace(plans=self.plans))
         self._round = Held(round._replace(plans=self._plans.address if self._plans else 0), ROUND)
         others = rounds.go_around.address if len(self.characters) > 1 else 0
-        work = rounds.Work(self.crowd, self._round.value, self._round.address, planner, others, self._refused)
+        work = rounds.Work(self.crowd, self._round.value, self._round.address, planner, self.soles, others, self._refused)
         self.work = Held(work, rounds.WORK)
 
     def _publish_anew(self) -> None:

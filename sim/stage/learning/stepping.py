@@ -68,7 +68,7 @@ class SteppingStones:
         self._optimise = optimise_stones.address
         bipeds, self.crowd = table_of([self.character]), empty_crowd(np.zeros(rows, np.int64))
         around = A_ROUND._replace(kind=self.crowd.kind, bipeds=bipeds, intents=self.crowd.intents)
-        self._work = Held(rounds.Work(self.crowd, around, 0, 0, 0, nothing_refused(rows), EFFORT), rounds.WORK)
+        self._work = Held(rounds.Work(self.crowd, around, 0, 0, True, 0, nothing_refused(rows), EFFORT), rounds.WORK)
         self._ground = Held(ground_of(rows), GROUND)
         self.taken = np.zeros(rows, np.int64)
         """How many steps of its episode each row has taken."""

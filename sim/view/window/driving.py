@@ -70,7 +70,8 @@ class Driver:
             return False
         self._leap |= name == "space" and name not in self.held
         if name in SIDESTEPS and not self.held & set(SIDESTEPS):
-            self._facing = float(sim.feet().heading[focus, 1])
+            feet = sim.feet()
+            self._facing = float(feet.heading[focus, 1] - feet.toe_out[focus, 1])
         self.held.add(name)
         return True
 

@@ -9,7 +9,7 @@ from motion.arithmetic.angles import unwrapped
 from motion.characters.character import Character
 from motion.motion import Motion, solve
 from motion.track.curve import Curve
-from motion.track.footprints import LEFT, STEP, Footprints, Step
+from motion.track.footprints import LEFT, STEP, Footprints, Step, outward
 from planner.script.laying import lay_steps
 from sim.files.imports.trajectories.ways import Way
 from sim.files.imports.walking.course import Course, course_of
@@ -42,7 +42,8 @@ def fit(way: Way, character: Character, pace: Pace, world: WorldArrays) -> Fitte
     course = course_of(way)
     biped = character.biped
     taken = own_treads(way, course, biped, pace) if way.landed.any() else treads(course, biped, pace)
-    footprints = _laid(taken, course, character, world)
+    toe_out = 0.0 if way.landed.any() else float(biped.gait.toe_out)  # footsteps that are given point where they do
+    footprints = _laid(taken, course, character, world, toe_out)
     end = float(footprints.contact_time[-1]) + REST
     return Fitted(way, solve(footprints, character, end), way.begin, way.end)
 
@@ -62,7 +63,7 @@ def _check(way: Way, pace: Pace, character: Character) -> None:
         )
 
 
-def _laid(taken: list[Tread], course: Course, character: Character, world: WorldArrays) -> Footprints:
+def _laid(taken: list[Tread], course: Course, character: Character, world: WorldArrays, toe_out: float) -> Footprints:
     """The footprints of treads, in the time of the way."""
     biped, start = character.biped, float(course.time[0])
     feet = standing_at(course, biped, start)
@@ -70,6 +71,8 @@ def _laid(taken: list[Tread], course: Course, character: Character, world: World
     begin = min(start, taken[0].contact - taken[0].after - STAND) if taken else start
     places = np.array([_place(feet[side]) for side in (first, 1 - first)])
     steps = np.array(_steps(taken, feet, begin, first), STEP)
+    places[:, 2] += [outward(side, toe_out) for side in (first, 1 - first)]
+    steps["heading"] += np.where(steps["side"] == LEFT, toe_out, -toe_out)
     footprints = empty(Footprints, len(steps) + 2)
     lay_steps(biped, world, footprints, 1 - first, places, steps, np.nan, REST)
     footprints.contact_time[:] += begin
