@@ -50,8 +50,9 @@ def areas(world: World) -> list[Area]:
     frame = [(low_x, low_y, high_x, low_y), (high_x, low_y, high_x, high_y), (high_x, high_y, low_x, high_y)]
     frame.append((low_x, high_y, low_x, low_y))
     beside = [_box(*sides, 0.0, FRAME) for sides in frame]
+    pieces: list[list[float]] = world.arrays.walls.tolist()
     for more in WIDER:
-        walls = [_box(*wall[:4], wall[4] + more, wall[4] + more) for wall in world.arrays.walls.tolist()]
+        walls = [_box(w[0], w[1], w[2], w[3], w[4] + more, w[4] + more) for w in pieces]
         edges = _edges(np.array(beside + walls).round(DIGITS))
         if Counter(begin for begin, _ in edges) == Counter(end for _, end in edges):
             break
