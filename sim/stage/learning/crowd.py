@@ -13,7 +13,7 @@ from gymnasium import spaces
 from pettingzoo import ParallelEnv
 
 from motion.characters.character import Character, load_character
-from planner.modes.acting import Acting
+from planner.planners import PLANNERS
 from sim.stage.asked import whole
 from sim.stage.learning.gym import HIGHEST_SEED
 from sim.stage.learning.stepping import FARTHEST
@@ -77,7 +77,7 @@ class CrowdParallelEnv(ParallelEnv):
         starts = np.column_stack([half + around, angle + np.pi])
         world = World("circle", (2 * half, 2 * half))
         one = int(self._random.integers(HIGHEST_SEED))
-        self.sim = Simulation(world, [self.character] * count, Acting(starts), one)
+        self.sim = Simulation(world, [self.character] * count, PLANNERS["Acting"](starts), one)
         self._left = self._away()
         seen = self.seen()
         return {name: seen[self._row[name]] for name in self.agents}, {name: {} for name in self.agents}
