@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from planner.modes.acting import Acting
 from planner.modes.external import External
 from planner.modes.people.visitors import Visiting
 from planner.modes.steer import Steered
@@ -11,5 +12,5 @@ from planner.planner import Planner
 from planner.river.rock_hop import RockHop
 
 PLANNERS: dict[str, Callable[..., Planner]] = {
-    kind.name: kind for kind in (Wander, RockHop, WalkTo, External, Steered, Visiting)
+    kind.name: kind for kind in (Wander, RockHop, WalkTo, External, Steered, Visiting, Acting)
 }

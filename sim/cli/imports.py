@@ -92,7 +92,7 @@ def trajectories(options: Any) -> int:
     """People's ways, walked: in a window, or headless, leaving what was asked for."""
     character = options.character
     load_character(character)
-    ways = between(read_ways(options.file, options.format, options.fps), options.between)
+    ways = between(read_ways(options.file, options.format, options.fps, options.homography), options.between)
     borders = geometry_of(options.file)
     options.level, options.given = Path(options.file).name, set()
 

@@ -174,6 +174,7 @@ def _add_imports(commands: argparse._SubParsersAction) -> None:
     people.add_argument("file", metavar="FILE")
     people.add_argument("--format", choices=formats.FORMATS, help="by default as the file looks")
     people.add_argument("--fps", type=values.length, help="frames a second, where the file does not say")
+    people.add_argument("--homography", metavar="H.txt", help="nine numbers that make metres of a .vsp's pixels")
     people.add_argument("--between", type=float, nargs=2, metavar=("T0", "T1"), help="only these seconds of the file")
     people.add_argument("--character", default="human", help="bird, dinosaur, human, ostrich, or a .toml file")
     _shown(people)

@@ -13,10 +13,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba import prange
 
-from motion.track.footprints import LEFT, RIGHT, Foot, Step, feet_before, step_onto
+from motion.track.footprints import LEFT, RIGHT, Step, feet_before, step_onto
 from planner.round.round import UNHURRIED, Wish
 from planner.stepping import random
-from planner.stepping.beside import beside, middle_beside
+from planner.stepping.acting import acted
+from planner.stepping.beside import beside
 from planner.stepping.placing import EDGE, lay_strike
 from planner.stepping.taking import take_step
 from sim.rows.crowd import REAL, TENTATIVE, shift, stand
@@ -161,18 +162,6 @@ def begin_rows(work_at: int, ground_at: int, rows: np.ndarray) -> None:
 
 
 @jit_borrowing
-def _asked(biped: Any, foot: Foot, action: np.ndarray) -> Step:
-    """The step that an action (ACTIONS,) asks for: relative to the walker's middle, mirrored for the right foot."""
-    side, unit = 1 - foot.side, biped.leg.nominal_length / 0.9
-    mirror = 1.0 if side == LEFT else -1.0
-    ahead, aside = unit * (AHEAD + REACH * action[0]), mirror * unit * REACH * action[1]
-    c, s, (x, y) = cos(foot.heading), sin(foot.heading), middle_beside(biped, foot)
-    heading = foot.heading + mirror * biped.reach.max_turn * action[2]
-    fx, fy = beside(biped, side, (x + ahead * c - aside * s, y + ahead * s + aside * c), heading)
-    return step_onto(side, fx, fy, heading)
-
-
-@jit_borrowing
 def _wish(step: Step) -> Wish:
     return Wish(step, step.heading, UNHURRIED, False, False)
 
@@ -199,7 +188,7 @@ def _step(optimise: int, work_at: int, ground: Ground, c: int) -> None:
     crowd, world, action, out = work.crowd, _world_of(ground, c), ground.actions[c], ground.outcome
     biped, footprints = work.round.bipeds[crowd.kind[c]], row(crowd.footprints, c)
     foot = feet_before(footprints, crowd.real[c]).newer
-    step = _asked(biped, foot, action)
+    step = acted(biped, foot, action, AHEAD, REACH)
     beyond = hypot(step.x - place[NEXT, 0], step.y - place[NEXT, 1]) - (place[NEXT, 2] - EDGE)
     out.miss[c], out.progress[c], out.cost[c] = max(beyond, 0.0), 0.0, 0.0
     if not beyond <= 0:

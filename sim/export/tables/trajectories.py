@@ -11,6 +11,7 @@ import numpy as np
 from sim import VERSION
 from sim.export.clip.asked import Asked
 from sim.export.clip.clip import Actor, Clip
+from sim.export.tables.area import area_of
 from sim.files import outputs
 from sim.files.imports.trajectories import formats as words
 from worlds.errors import InputError
@@ -38,7 +39,7 @@ def export_text(clip: Clip, path: str, asked: Asked) -> None:
 
 
 def export_sqlite(clip: Clip, path: str, asked: Asked) -> None:
-    """JuPedSim's SQLite, version 2, with the world's border as the walkable area. Raises InputError."""
+    """JuPedSim's SQLite, version 2, with the world less its walls as the walkable area. Raises InputError."""
     try:
         with outputs.whole(path) as temporary:
             file = sqlite3.connect(temporary)
@@ -54,8 +55,7 @@ def export_sqlite(clip: Clip, path: str, asked: Asked) -> None:
 def _fill(file: sqlite3.Connection, clip: Clip) -> None:
     file.executescript(_TABLES)
     low_x, low_y, high_x, high_y = clip.world.arrays.bounds.tolist()
-    corners = [(low_x, low_y), (high_x, low_y), (high_x, high_y), (low_x, high_y), (low_x, low_y)]
-    wkt = f"POLYGON (({', '.join(f'{x:g} {y:g}' for x, y in corners)}))"
+    wkt = area_of(clip.world, np.concatenate([actor.pose.com[actor.there, :2] for actor in clip.actors])).wkt
     bounds = {"xmin": low_x, "xmax": high_x, "ymin": low_y, "ymax": high_y}
     values = {"version": "2", words.FPS: f"{clip.rate:g}"} | {key: f"{value:g}" for key, value in bounds.items()}
     file.executemany(f"INSERT INTO {words.META} VALUES (?, ?)", values.items())

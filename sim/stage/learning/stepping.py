@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from motion.characters.character import Character, load_character
+from motion.characters.dimensions import empty_bipeds
 from motion.com.newton import Effort
 from planner.round.kernel import A_ROUND
 from planner.round.refusals import nothing_refused
@@ -20,7 +21,6 @@ from sim.rows.stone_sight import SEEN, observe_rows
 from sim.rows.stone_windows import optimise_stones
 from sim.rows.stones import ACTIONS, GROUND, begin_rows, ground_of, step_rows
 from sim.stage.asked import MOST_SEED, whole
-from sim.stage.cast import table_of
 from worlds.compiled.memory import Held
 from worlds.errors import InputError
 
@@ -66,7 +66,8 @@ class SteppingStones:
         self.rows, self.curriculum, self.first_level = rows, curriculum, float(level)
         """At which level all rows begin."""
         self._optimise = optimise_stones.address
-        bipeds, self.crowd = table_of([self.character]), empty_crowd(np.zeros(rows, np.int64))
+        bipeds, self.crowd = empty_bipeds(1), empty_crowd(np.zeros(rows, np.int64))
+        bipeds[0] = self.character.biped
         around = A_ROUND._replace(kind=self.crowd.kind, bipeds=bipeds, intents=self.crowd.intents)
         self._work = Held(rounds.Work(self.crowd, around, 0, 0, True, 0, nothing_refused(rows), EFFORT), rounds.WORK)
         self._ground = Held(ground_of(rows), GROUND)

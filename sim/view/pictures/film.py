@@ -64,7 +64,7 @@ class Film:
             self.picture = Picture(size, QUALITY)
         except NoGL as error:
             raise InputError(f"{path}: {error}") from None
-        self._every, self._fault, self._frames = max(sim.tick_rate // RATE, 1), "", 0
+        self._every, self._fault, self._frames = max(round(sim.tick_rate / RATE), 1), "", 0
         self._part = Part(path)
         self._said = tempfile.TemporaryFile()  # noqa: SIM115 (ffmpeg writes to it for as long as this lives)
         kind, how = KINDS[Path(path).suffix.lower()]

@@ -5,6 +5,7 @@ import pytest
 
 from motion.characters.character import load_character
 from motion.track.footprints import LEFT, RIGHT, Step
+from planner.modes.acting import Acting
 from planner.modes.custom import Custom
 from planner.modes.external import External
 from planner.modes.people.visitors import Visiting
@@ -219,6 +220,7 @@ def test_an_impossible_task_says_so_before_anything_begins():
 def test_every_planner_that_ships_is_made_again_from_its_values():
     traffic = Traffic(source=[Source(area=[(0, 0), (1, 1)], rate=1.0)], exit=[Exit(name="out", area=[(8, 8), (9, 9)])])
     made = (Wander(), RockHop(), WalkTo([(2, 5, 0.0)], [[(8, 5)]]), External([(2.0, 5.0, 0.0)]), Steered(), Visiting(traffic))
+    made += (Acting([(2.0, 5.0, 0.0)]),)
     assert {planner.name for planner in made} == set(PLANNERS)
     for planner in made:
         assert PLANNERS[planner.name](**planner.values()).values() == planner.values()

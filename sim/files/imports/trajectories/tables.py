@@ -2,12 +2,14 @@
 
 import re
 from collections.abc import Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from sim.files.imports import texts
 from sim.files.imports.trajectories import formats
+from sim.files.imports.trajectories.annotated import looks_like_frames
 from sim.files.imports.trajectories.ways import MOST_ROWS, Way, ways_of
 from worlds.errors import InputError
 
@@ -44,14 +46,18 @@ def format_of(name: str, lines: Lines) -> str:
     if any(formats.RATE in comment.lower() or "x/" in comment.lower() for comment in lines.comments):
         return formats.TEXT
     numbers = all(texts.number(word) is not None for word in first)
-    return formats.OBSMAT if "obsmat" in name.lower() or (numbers and len(first) == 8) else formats.PLAIN
+    if "obsmat" in name.lower() or (numbers and len(first) == 8):
+        return formats.OBSMAT
+    return formats.FRAMES if looks_like_frames(lines.rows) else formats.PLAIN
 
 
 def read_table(kind: str, lines: Lines, fps: float | None) -> list[Way]:
     """The ways of a text of a format. Raises InputError naming every fault by its line."""
     if not lines.rows:
         raise InputError("has no rows")
-    return {formats.TEXT: _text, formats.VADERE: _vadere, formats.OBSMAT: _obsmat, formats.PLAIN: _plain}[kind](lines, fps)
+    readers = {formats.TEXT: _text, formats.VADERE: _vadere, formats.PLAIN: _plain}
+    readers |= {formats.OBSMAT: partial(_annotated, formats.OBSERVED), formats.FRAMES: partial(_annotated, formats.FRAMED)}
+    return readers[kind](lines, fps)
 
 
 def _numbers(lines: Lines, columns: Sequence[int], named: bool = True) -> tuple[list[str], np.ndarray]:
@@ -92,8 +98,8 @@ def _text(lines: Lines, fps: float | None) -> list[Way]:
     return _frames(lines, (0, 1, 2, 3), found, 0.01 if any(unit in said for unit in formats.CENTIMETRES) else 1.0)
 
 
-def _obsmat(lines: Lines, fps: float | None) -> list[Way]:
-    names, found = _numbers(lines, formats.OBSERVED)
+def _annotated(columns: Sequence[int], lines: Lines, fps: float | None) -> list[Way]:
+    names, found = _numbers(lines, columns)
     if fps is None:  # frames are counted as the film's; those that were annotated come ANNOTATED times a second
         steps = np.diff(np.unique(found[:, 0]))
         fps = formats.ANNOTATED * float(np.median(steps)) if len(steps) else formats.ANNOTATED

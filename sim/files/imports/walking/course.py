@@ -13,7 +13,7 @@ from sim.files.imports.trajectories.ways import Way
 
 GRAIN = 0.05
 """Seconds between the samples."""
-SMOOTH = 0.2
+SMOOTH = 0.1
 """Width of the smoothing [s]: heads that sway and cameras that tremble are no course."""
 RAMP = 1.2
 """Who comes into sight walking at a speed has taken so long [s] to get to it."""

@@ -10,6 +10,7 @@ from sim.files.imports.trajectories.ways import Way
 from sim.files.imports.walking.fitting import fit
 from sim.files.imports.walking.pace import pace_of
 from sim.files.imports.walking.procession import Procession
+from sim.stage.cast import TICK_RATE
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
 from worlds.world import Wall, World
@@ -18,6 +19,8 @@ MARGIN = 6.0
 """Ground around the ways [m]: who comes into sight walking has come from somewhere."""
 THIN = 0.02
 """Walls that show a border [m]: people's feet come as near to it as they did."""
+LEAST_RATE, MOST_RATE = 50, 240
+"""Ticks per second, at least and at most, where the file's moments decide."""
 TOLD = 100
 """After so many people a word is said of how far the fitting is."""
 
@@ -41,7 +44,16 @@ def procession(
     if faults:
         more = [f"and {len(faults) - SAID} more like these"] if len(faults) > SAID else []
         raise InputError("\n".join(f"{name}: {fault}" for fault in [*faults[:SAID], *more]))
-    return Procession(world, fitted)
+    return Procession(world, fitted, ticks_of(ways))
+
+
+def ticks_of(ways: Sequence[Way]) -> int:
+    """Ticks per second: a multiple of the file's moments per second where there is one, so that each of them is shown."""
+    apart = np.concatenate([np.diff(way.time) for way in ways])
+    rate = 1.0 / float(np.median(apart)) if len(apart) else TICK_RATE
+    if abs(rate - round(rate)) > 1e-3 * rate or TICK_RATE % round(rate) == 0 or rate > MOST_RATE:
+        return TICK_RATE
+    return round(rate) * -(-LEAST_RATE // round(rate))
 
 
 def _placed(name: str, ways: Sequence[Way], borders: Sequence[np.ndarray]) -> tuple[World, list[Way]]:

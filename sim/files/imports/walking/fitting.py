@@ -8,7 +8,7 @@ import numpy as np
 from motion.arithmetic.angles import unwrapped
 from motion.characters.character import Character
 from motion.motion import Motion, solve
-from motion.track.curve import Curve
+from motion.track.curve import Curve, evaluate
 from motion.track.footprints import LEFT, STEP, Footprints, Step, outward
 from planner.script.laying import lay_steps
 from sim.files.imports.trajectories.ways import Way
@@ -23,6 +23,8 @@ STAND, REST = 0.5, 0.6
 """Seconds of standing before the first step begins, and after the last has landed."""
 PAUSE = 1.6
 """Who takes so many step times for a step stands before it."""
+CORRECTIONS, MOST_MOVED = 5, 0.08
+"""How often footsteps are moved so that the body goes where the way goes, and how far at most each time [m]."""
 SWING, LAP = 0.3, 0.04
 """A swing lasts so long [s] at least, where both feet then still stand together for so long."""
 
@@ -43,9 +45,37 @@ def fit(way: Way, character: Character, pace: Pace, world: WorldArrays) -> Fitte
     biped = character.biped
     taken = own_treads(way, course, biped, pace) if way.landed.any() else treads(course, biped, pace)
     toe_out = 0.0 if way.landed.any() else float(biped.gait.toe_out)  # footsteps that are given point where they do
-    footprints = _laid(taken, course, character, world, toe_out)
-    end = float(footprints.contact_time[-1]) + REST
-    return Fitted(way, solve(footprints, character, end), way.begin, way.end)
+    motion = _solved(_laid(taken, course, character, world, toe_out), character)
+    for _ in range(CORRECTIONS if taken else 0):
+        moved = _moved(taken, course, motion)
+        if moved == taken:
+            break
+        taken = moved
+        motion = _solved(_laid(taken, course, character, world, toe_out), character)
+    return Fitted(way, motion, way.begin, way.end)
+
+
+def _solved(footprints: Footprints, character: Character) -> Motion:
+    return solve(footprints, character, float(footprints.contact_time[-1]) + REST)
+
+
+def _moved(taken: list[Tread], course: Course, motion: Motion) -> list[Tread]:
+    """The treads, each moved by what the body lacks of its way over it and its neighbours: whoever bends cuts corners.
+
+    The mean with the neighbours leaves the sway from foot to foot as it is.
+    """
+    off, scratch, time = np.zeros((len(taken), 2)), np.empty((3, 3)), motion.curve.time
+    for k, tread in enumerate(taken):
+        if time[0] < tread.over < time[-1]:
+            evaluate(motion.curve, tread.over, *scratch)
+            off[k] = course.at(tread.over) - scratch[0, :2]
+    around = np.pad(off, ((1, 1), (0, 0)), mode="edge")
+    off = 0.25 * around[:-2] + 0.5 * off + 0.25 * around[2:]
+    off *= np.minimum(1.0, MOST_MOVED / np.maximum(np.hypot(*off.T), 1e-9))[:, None]
+    return [
+        tread if np.isnan(tread.over) else tread._replace(x=tread.x + x, y=tread.y + y)
+        for tread, (x, y) in zip(taken, off.tolist(), strict=True)
+    ]
 
 
 def _check(way: Way, pace: Pace, character: Character) -> None:

@@ -37,6 +37,7 @@ class Tread(NamedTuple):
     heading: float
     contact: float  # [s]
     after: float  # step time that its speed asks for [s]
+    over: float = np.nan  # when the body is to be over it [s], where it may be moved for that
 
 
 class Stood(NamedTuple):
@@ -174,6 +175,6 @@ class _Walker:
         contact = at - 0.5 * self.pace.stance(speed)
         if self.taken:
             contact = max(contact, self.taken[-1].contact + 0.5 * self.taken[-1].after)
-        self.taken.append(Tread(side, *foot, contact, time))
+        self.taken.append(Tread(side, *foot, contact, time, at))
         self.feet[side] = foot
         self.now, self.last, self.before, self.stands = at, side, time, False

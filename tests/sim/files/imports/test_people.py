@@ -73,6 +73,64 @@ def test_an_obsmat_is_of_two_and_a_half_annotations_a_second(tmp_path):
     check(read_ways(path, fps=25), 2.5)
 
 
+def test_frames_of_forecasters_are_no_plain_table(tmp_path):
+    """Rows by frame, or by person: neither is taken for id, t, x, y, and plain tables are not taken for frames."""
+    path = tmp_path / "biwi_eth.txt"
+    by_frame = "".join(f"{10 * f + 780}.0\t{i}.0\t{x:.6f}\t{y:.6f}\n" for i, f, x, y in ROWS)
+    by_person = "".join(f"{6 * f}\t{i}\t{x:.6f}\t{y:.6f}\t1.0\t0.0\n" for i, f, x, y in sorted(ROWS))
+    for content in (by_frame, by_person):
+        path.write_text(content, "utf-8")
+        check(read_ways(path), 2.5)
+    for rows in (ROWS, sorted(ROWS)):
+        path.write_text("".join(f"{i} {f} {x:.6f} {y:.6f}\n" for i, f, x, y in rows), "utf-8")
+        check(read_ways(path), 1.0)
+
+
+def splines(people, scale=0.02):
+    """UCY's file of ways in pixels, as its tool writes it."""
+    parts = [f"{len(people)} - the number of splines\n"]
+    for rows in people:
+        parts.append(f"{len(rows)} - Num of control points\n")
+        parts += [f"{x / scale:.6f} {y / scale:.6f} {frame} 90.000000 - (2D point, m_id)\n" for frame, x, y in rows]
+    return "".join(parts)
+
+
+def test_splines_are_metres_by_a_homography(tmp_path):
+    path, matrix = tmp_path / "crowds.vsp", tmp_path / "H.txt"
+    people = [[(f, x, y) for i, f, x, y in ROWS if i == person] for person in (1, 2, 3)]
+    path.write_text(splines(people) + "7 - obstacles, which nobody asks for\n", "utf-8")
+    matrix.write_text("0.02 0 0\n0 0.02 0\n0 0 1\n", "utf-8")
+    check(read_ways(path, homography=str(matrix)), 25)
+    matrix.write_text("0.02, 0, 3, 0, -0.02, 1, 0, 0, 2", "utf-8")
+    (first, *_) = read_ways(path, fps=10, homography=str(matrix))
+    np.testing.assert_allclose(first.place[0], [(people[0][0][1] + 3) / 2, (1 - people[0][0][2]) / 2], atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    "content, matrix, said",
+    [
+        ("1 - the number of splines\n", "1 0 0 0 1 0 0 0 1", "ends where a number of control points"),
+        ("2 - the number of splines\n1 - Num of control points\n1 2 3 4\n", "1 0 0 0 1 0 0 0 1", "ends where a number"),
+        ("x - the number of splines\n", "1 0 0 0 1 0 0 0 1", "line 1: 'x': a number of splines"),
+        ("99999999 - the number of splines\n", "1 0 0 0 1 0 0 0 1", "0 to 20,000"),
+        ("1 - the number of splines\n3 - Num\n1 2 3 4\n", "1 0 0 0 1 0 0 0 1", "ends amid the control points"),
+        ("1 - the number of splines\n1 - Num\n1 nan 3 4\n", "1 0 0 0 1 0 0 0 1", "line 3: '1 nan 3 4': x, y, frame"),
+        ("0 - the number of splines\n", "1 0 0 0 1 0 0 0 1", "nobody is in it"),
+        ("1 - the number of splines\n1 - Num\n1 2 3 4\n", "1 0 0 0 1 0 0 0", "8 words; a homography is nine numbers"),
+        ("1 - the number of splines\n1 - Num\n1 2 3 4\n", "1 0 0 1 0 0 0 0 1", "determinant is 0"),
+        ("1 - the number of splines\n1 - Num\n1 2 3 4\n", "1 0 0 0 1 0 1 0 -1", "to infinity"),
+        ("1 - the number of splines\n1 - Num\n1 2 3 4\n", None, "give --homography H.txt"),
+        ("1 0 0 0\n1 1 1 0\n", "1 0 0 0 1 0 0 0 1", "is for .vsp files"),
+    ],
+)
+def test_faults_of_splines_are_named(tmp_path, content, matrix, said):
+    path, other = tmp_path / "people.dat", tmp_path / "H.txt"
+    path.write_text(content, "utf-8")
+    other.write_text(matrix or "", "utf-8")
+    with pytest.raises(InputError, match=said):
+        read_ways(path, homography=str(other) if matrix else None)
+
+
 def test_footsteps_of_vadere_are_kept(tmp_path):
     """Who waits before a step is where it begins until then."""
     path = tmp_path / "postvis.traj"
