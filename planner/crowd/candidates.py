@@ -5,7 +5,8 @@ foot's heading (the discs and rings of Seitz & Koster's optimal steps model 2012
 the direction as far as a step allows, and stays as it is for steps aside and back.
 
 Which of them are free is the hard guarantee, whatever a step costs: its sole keeps off all that the others hold, and its body
-comes to rest, and on its way is, where it touches nobody (for bodies that are too close already: where it comes no closer).
+comes to rest, and on its way is, where it touches nobody (bodies that are too close already come no closer; who has stood for
+long squeezes by).
 """
 
 from math import atan2, cos, hypot, inf, pi, sin, sqrt
@@ -34,13 +35,13 @@ SHORTER, TURNS_TO = 0.5, 1.3
 """Steps aside and back, in preferred ones; into directions further off the heading than this [rad] one steps aside."""
 CROSSING = 0.4
 """A foot that comes down beside the other one stays on its own side, by so many step widths."""
-QUICK = 1.5
+QUICK = 1.3
 """Longest step time among others, in pendulum times: short steps are quick ones."""
 
 FOOT_MARGIN = 0.01
 """Room kept between soles [m]."""
-GRAZE = 0.02
-"""Bodies that are too close already may come so much closer [m] on their way to where they are not."""
+GRAZE = 0.12
+"""Bodies may come so much closer, in half depths, than they should, or are, on their way to where they are not too close."""
 LOOKS = 4
 """Moments of a step at which bodies are looked at."""
 
@@ -138,7 +139,7 @@ def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> 
     rest_x, rest_y = 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y)
     sole = sole_of(held.sole, walker.c, step.foot_x, step.foot_y, step.heading)
     facing, face = 0.5 * (walker.heading + step.heading), (walker.face_x, walker.face_y)
-    turned = (cos(facing), sin(facing))
+    turned, graze = (cos(facing), sin(facing)), max(GRAZE * walker.deep, walker.squeeze)
     far = walker.wide + hypot(rest_x - walker.rest_x, rest_y - walker.rest_y) + walker.full * step.time
     for j in near:
         if not reservations.foot_is_free(held, j, sole, FOOT_MARGIN, walker.time + step.time):
@@ -148,11 +149,11 @@ def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> 
         if abs(last[0] - rest_x) > reach or abs(last[1] - rest_y) > reach:
             continue
         now = min(_gap_to(held, walker, j, inf, (walker.rest_x, walker.rest_y), face), 0.0)
-        if _gap_to(held, walker, j, inf, (rest_x, rest_y), turned) < now:
+        if _gap_to(held, walker, j, inf, (rest_x, rest_y), turned) < now - walker.squeeze:
             return False
         for k in range(1, LOOKS + 1):
             s = k / LOOKS
             x, y = walker.rest_x + s * (rest_x - walker.rest_x), walker.rest_y + s * (rest_y - walker.rest_y)
-            if _gap_to(held, walker, j, walker.there + s * step.time, (x, y), face) < (now - GRAZE if now < 0 else 0.0):
+            if _gap_to(held, walker, j, walker.there + s * step.time, (x, y), face) < now - graze:
                 return False
     return True

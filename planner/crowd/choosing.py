@@ -22,7 +22,7 @@ from worlds.compiled.jit import jit, jit_borrowing
 
 LEAST = 0.08
 """No step is shorter than this share of the preferred one."""
-SHORTER_BY = 0.72
+SHORTER_BY = 0.88
 """Share of its length that a step keeps when it is not free."""
 CLAIMS = 0.4
 """Where spacing allows no step, one claims the place of a step of this share of the longest, so that others make room."""

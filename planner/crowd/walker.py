@@ -10,6 +10,11 @@ from planner.stepping.beside import middle_beside
 from worlds import queries
 from worlds.compiled.jit import jit_borrowing
 
+SQUEEZE, PRESSED = 0.2, 20
+"""Who was left nothing but to stand so often in a row presses so far into the room that bodies keep, in half depths of
+its own; less before. So an arch
+before a door gives way, as it does where people push."""
+
 
 class Walker(NamedTuple):
     """Me among others; metres and seconds."""
@@ -37,6 +42,7 @@ class Walker(NamedTuple):
     face_y: float
     deep: float  # half axes of the body [m]
     wide: float
+    squeeze: float  # how far it presses into the room that bodies keep [m]
 
 
 @jit_borrowing
@@ -53,6 +59,7 @@ def walker_of(round: Round, me: Me, course: float) -> Walker:
     return Walker(
         me.c, 1 - newer.side, newer.x, newer.y, x, y, newer.heading, rest_x, rest_y, contact, contact + lag(biped), overlap,
         margin, full, False, 0.0, 0.0, me.hindered, course, cos(facing), sin(facing), held.half[me.c, 0], held.half[me.c, 1],
+        SQUEEZE * min(round.intents.stood[me.c] / PRESSED, 1.0) * held.half[me.c, 0],
     )  # fmt: skip
 
 
@@ -61,5 +68,5 @@ def calmed(w: Walker, wish_x: float, wish_y: float) -> Walker:
     """The same, who wishes for no more than that velocity [m/s]."""
     return Walker(
         w.c, w.side, w.foot_x, w.foot_y, w.x, w.y, w.heading, w.rest_x, w.rest_y, w.time, w.there, w.overlap, w.margin, w.full,
-        True, wish_x, wish_y, w.hindered, w.course, w.face_x, w.face_y, w.deep, w.wide,
+        True, wish_x, wish_y, w.hindered, w.course, w.face_x, w.face_y, w.deep, w.wide, w.squeeze,
     )  # fmt: skip
