@@ -71,6 +71,7 @@ def _let_by(round: Round, me: Me, wish: Wish, near: np.ndarray) -> Wish:
         far = hypot(held.claim[j, 0] - walker.rest_x, held.claim[j, 1] - walker.rest_y)
         waits |= held.rank[j] > 0 and far < walker.wide + held.half[j, 1]
     if not waits:
+        round.intents.hindered[me.c] = me.hindered  # who is content with a place near its stop stays so
         return wish
     walker = calmed(walker, 0.0, 0.0)
     taken = choose(round, walker, STANDING, 0.0, near)

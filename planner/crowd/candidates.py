@@ -24,7 +24,7 @@ from planner.round.round import Round
 from planner.round.soles import sole_of
 from planner.stepping import timing
 from planner.stepping.beside import Place, beside
-from planner.stepping.footing import FINE, needs_care, why_not_step
+from planner.stepping.footing import FINE, why_not_step
 from planner.stepping.steering import free_way
 from worlds import queries
 from worlds.compiled.jit import jit_borrowing
@@ -111,13 +111,13 @@ def is_open(round: Round, walker: Walker, step: Candidate) -> bool:
     """Whether a step keeps off trees, walls and water."""
     world, length = round.world, hypot(step.x - walker.x, step.y - walker.y)
     biped = round.bipeds[round.kind[walker.c]]
-    if length > 0:
+    if length > 0 and (walker.careful or length > walker.room - walker.margin):
         course = atan2(step.y - walker.y, step.x - walker.x)
         if queries.clearance(world, step.x, step.y) < walker.margin:
             return False
         if free_way(biped, world, walker.x, walker.y, course, walker.margin - 0.01, length) < length:
             return False
-    if needs_care(biped, world, walker.foot_x, walker.foot_y):
+    if walker.careful:
         foot = Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
         return why_not_step(biped, world, foot, step.foot_x, step.foot_y, step.heading) == FINE
     return True
@@ -139,7 +139,7 @@ def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> 
     rest_x, rest_y = 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y)
     sole = sole_of(held.sole, walker.c, step.foot_x, step.foot_y, step.heading)
     facing, face = 0.5 * (walker.heading + step.heading), (walker.face_x, walker.face_y)
-    turned, graze = (cos(facing), sin(facing)), max(GRAZE * walker.deep, walker.squeeze)
+    turned = (cos(facing), sin(facing))
     far = walker.wide + hypot(rest_x - walker.rest_x, rest_y - walker.rest_y) + walker.full * step.time
     for j in near:
         if not reservations.foot_is_free(held, j, sole, FOOT_MARGIN, walker.time + step.time):
@@ -148,12 +148,12 @@ def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> 
         reach = far + max(held.half[j, 0], held.half[j, 1])
         if abs(last[0] - rest_x) > reach or abs(last[1] - rest_y) > reach:
             continue
-        now = min(_gap_to(held, walker, j, inf, (walker.rest_x, walker.rest_y), face), 0.0)
-        if _gap_to(held, walker, j, inf, (rest_x, rest_y), turned) < now - walker.squeeze:
+        least = min(_gap_to(held, walker, j, inf, (walker.rest_x, walker.rest_y), face), -walker.squeeze)
+        if _gap_to(held, walker, j, inf, (rest_x, rest_y), turned) < least:
             return False
         for k in range(1, LOOKS + 1):
             s = k / LOOKS
             x, y = walker.rest_x + s * (rest_x - walker.rest_x), walker.rest_y + s * (rest_y - walker.rest_y)
-            if _gap_to(held, walker, j, walker.there + s * step.time, (x, y), face) < now - graze:
+            if _gap_to(held, walker, j, walker.there + s * step.time, (x, y), face) < least - GRAZE * walker.deep:
                 return False
     return True

@@ -135,6 +135,9 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
             if not claimed:
                 _claim(round, walker, others, walker.rest_x, walker.rest_y)
             return STANDING
+        if claimed and k < STAND and length[k] < 0:
+            cost[k] = inf
+            continue
         step = candidate(biped, walker, k, abs(length[k])) if k < STAND else wished
         if not crosses(biped, walker, step) and is_open(round, walker, step):
             if not claimed:
