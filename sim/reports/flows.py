@@ -118,7 +118,7 @@ def bottleneck(width: float, count: int = 100, neck: float = 1.0, weights: Weigh
     right = [(px, 2 * y - py) for px, py in left]
     k, (rows, behind, beside) = np.arange(count), (12, 0.55, 0.62) if count <= 250 else (16, 0.47, 0.59)
     starts = np.stack([x - 1.5 - behind * (k // rows), y + beside * (k % rows - 0.5 * (rows - 1)), 0.0 * k], axis=1)
-    stops = np.stack([np.full(count, 38.0), y + 1.5 * (starts[:, 1] - y)], axis=1)
+    stops = np.stack([np.full(count, 38.0), y + np.clip(1.5 * (starts[:, 1] - y), -5.4, 5.4)], axis=1)
     return people(World("bottleneck", (40.0, 2 * y), walls=walls(left, right)), starts, stops[:, None], weights)
 
 
