@@ -9,7 +9,7 @@ from motion.track.footprints import step_onto
 from planner.crowd.candidates import QUICK, Candidate, candidate_to
 from planner.crowd.choosing import STANDING, choose
 from planner.crowd.sides import Passage, keep_right
-from planner.crowd.walker import Walker, calmed, walker_of
+from planner.crowd.walker import PRESSED, Walker, calmed, walker_of
 from planner.round import reservations
 from planner.round.round import Me, Round, Wish, biped_of, standing
 from planner.stepping.beside import middle_beside, middle_of
@@ -71,6 +71,7 @@ def _let_by(round: Round, me: Me, wish: Wish, near: np.ndarray) -> Wish:
         far = hypot(held.claim[j, 0] - walker.rest_x, held.claim[j, 1] - walker.rest_y)
         waits |= held.rank[j] > 0 and far < walker.wide + held.half[j, 1]
     if not waits:
+        round.intents.hindered[me.c] = me.hindered  # who is content with a place near its stop stays so
         return wish
     walker = calmed(walker, 0.0, 0.0)
     taken = choose(round, walker, STANDING, 0.0, near)
@@ -86,10 +87,12 @@ def give_way(round: Round, me: Me, wish: Wish) -> Wish:
     intents, c, step, hindered = round.intents, me.c, wish.step, me.hindered
     intend(round, me, wish)
     if step.stands > 0 and not wish.goes:
+        intents.stood[c] = 0
         return wish
     near = np.empty(CROWDED, np.int64)
     count = _look_around(round.reservations, c, near)
     if count == 0:
+        intents.stood[c] = 0
         return wish
     if step.stands > 0:
         return _let_by(round, me, wish, near[: max(count, 0)])
@@ -107,10 +110,12 @@ def give_way(round: Round, me: Me, wish: Wish) -> Wish:
         taken = choose(round, walker, wished, passage.left, near[:count])
     if taken.time == 0:
         intents.hindered[c] = hindered + 1
+        intents.stood[c] = min(intents.stood[c] + 1, PRESSED)
         return standing(me, YIELD_TIME)
     if taken.x == wished.x and taken.y == wished.y and taken.heading == wished.heading:
-        intents.hindered[c] = max(hindered - 1, 0)
+        intents.hindered[c], intents.stood[c] = max(hindered - 1, 0), 0
         return Wish(step, wish.course, QUICK, True, wish.goes)
     intents.hindered[c] = _hindered_after(walker, taken)
+    intents.stood[c] = max(intents.stood[c] - 1, 0) if intents.hindered[c] > hindered else 0
     onto = step_onto(walker.side, taken.foot_x, taken.foot_y, taken.heading)
     return Wish(onto, wish.course, QUICK, True, wish.goes)

@@ -5,7 +5,8 @@ foot's heading (the discs and rings of Seitz & Koster's optimal steps model 2012
 the direction as far as a step allows, and stays as it is for steps aside and back.
 
 Which of them are free is the hard guarantee, whatever a step costs: its sole keeps off all that the others hold, and its body
-comes to rest, and on its way is, where it touches nobody (for bodies that are too close already: where it comes no closer).
+comes to rest, and on its way is, where it touches nobody (bodies that are too close already come no closer; who has stood for
+long squeezes by).
 """
 
 from math import atan2, cos, hypot, inf, pi, sin, sqrt
@@ -23,7 +24,7 @@ from planner.round.round import Round
 from planner.round.soles import sole_of
 from planner.stepping import timing
 from planner.stepping.beside import Place, beside
-from planner.stepping.footing import FINE, needs_care, why_not_step
+from planner.stepping.footing import FINE, why_not_step
 from planner.stepping.steering import free_way
 from worlds import queries
 from worlds.compiled.jit import jit_borrowing
@@ -34,13 +35,13 @@ SHORTER, TURNS_TO = 0.5, 1.3
 """Steps aside and back, in preferred ones; into directions further off the heading than this [rad] one steps aside."""
 CROSSING = 0.4
 """A foot that comes down beside the other one stays on its own side, by so many step widths."""
-QUICK = 1.5
+QUICK = 1.3
 """Longest step time among others, in pendulum times: short steps are quick ones."""
 
 FOOT_MARGIN = 0.01
 """Room kept between soles [m]."""
-GRAZE = 0.02
-"""Bodies that are too close already may come so much closer [m] on their way to where they are not."""
+GRAZE = 0.12
+"""Bodies may come so much closer, in half depths, than they should, or are, on their way to where they are not too close."""
 LOOKS = 4
 """Moments of a step at which bodies are looked at."""
 
@@ -110,13 +111,13 @@ def is_open(round: Round, walker: Walker, step: Candidate) -> bool:
     """Whether a step keeps off trees, walls and water."""
     world, length = round.world, hypot(step.x - walker.x, step.y - walker.y)
     biped = round.bipeds[round.kind[walker.c]]
-    if length > 0:
+    if length > 0 and (walker.careful or length > walker.room - walker.margin):
         course = atan2(step.y - walker.y, step.x - walker.x)
         if queries.clearance(world, step.x, step.y) < walker.margin:
             return False
         if free_way(biped, world, walker.x, walker.y, course, walker.margin - 0.01, length) < length:
             return False
-    if needs_care(biped, world, walker.foot_x, walker.foot_y):
+    if walker.careful:
         foot = Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
         return why_not_step(biped, world, foot, step.foot_x, step.foot_y, step.heading) == FINE
     return True
@@ -148,12 +149,12 @@ def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> 
         reach = far + max(held.half[j, 0], held.half[j, 1])
         if abs(last[0] - rest_x) > reach or abs(last[1] - rest_y) > reach:
             continue
-        now = min(_gap_to(held, walker, j, inf, (walker.rest_x, walker.rest_y), face), 0.0)
-        if _gap_to(held, walker, j, inf, (rest_x, rest_y), turned) < now:
+        least = min(_gap_to(held, walker, j, inf, (walker.rest_x, walker.rest_y), face), -walker.squeeze)
+        if _gap_to(held, walker, j, inf, (rest_x, rest_y), turned) < least:
             return False
         for k in range(1, LOOKS + 1):
             s = k / LOOKS
             x, y = walker.rest_x + s * (rest_x - walker.rest_x), walker.rest_y + s * (rest_y - walker.rest_y)
-            if _gap_to(held, walker, j, walker.there + s * step.time, (x, y), face) < (now - GRAZE if now < 0 else 0.0):
+            if _gap_to(held, walker, j, walker.there + s * step.time, (x, y), face) < least - GRAZE * walker.deep:
                 return False
     return True

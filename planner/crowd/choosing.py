@@ -22,7 +22,7 @@ from worlds.compiled.jit import jit, jit_borrowing
 
 LEAST = 0.08
 """No step is shorter than this share of the preferred one."""
-SHORTER_BY = 0.72
+SHORTER_BY = 0.88
 """Share of its length that a step keeps when it is not free."""
 CLAIMS = 0.4
 """Where spacing allows no step, one claims the place of a step of this share of the longest, so that others make room."""
@@ -135,6 +135,9 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
             if not claimed:
                 _claim(round, walker, others, walker.rest_x, walker.rest_y)
             return STANDING
+        if claimed and k < STAND and length[k] < 0:
+            cost[k] = inf
+            continue
         step = candidate(biped, walker, k, abs(length[k])) if k < STAND else wished
         if not crosses(biped, walker, step) and is_open(round, walker, step):
             if not claimed:

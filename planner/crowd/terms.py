@@ -19,6 +19,8 @@ SOON = 0.5
 """Touches sooner than this, in swings, cost no more."""
 FADED = 4.0
 """Others further away than so many distances are not felt."""
+SHOULDER = 0.85
+"""Who would touch another only further aside than this, in the width of both, does not slow down: it turns the shoulder."""
 
 
 @jit_borrowing
@@ -42,15 +44,15 @@ def turned(walker: Walker, step: Candidate) -> float:
 
 
 @jit_borrowing
-def _way(walker: Walker, other: Any, px: float, py: float, dx: float, dy: float) -> float:
-    """The way [m] in direction d until my body touches the other's, which is at p."""
+def _way(walker: Walker, other: Any, px: float, py: float, dx: float, dy: float, part: float) -> float:
+    """The way [m] in direction d until my body touches the other's, which is at p; both are only `part` as wide as they are."""
     largest = max(walker.deep, walker.wide) + max(other.deep, other.wide)
     if px * dx + py * dy <= 0 or abs(px * dy - py * dx) >= largest:
         return inf
     mine, face = (walker.deep, walker.wide), (walker.face_x, walker.face_y)
     its, looks = (other.deep, other.wide), (other.face_x, other.face_y)
     deep = extent(mine, face, dx, dy) + extent(its, looks, dx, dy)
-    wide = extent(mine, face, -dy, dx) + extent(its, looks, -dy, dx)
+    wide = part * (extent(mine, face, -dy, dx) + extent(its, looks, -dy, dx))
     return way_to_touch(px, py, dx, dy, deep, wide)
 
 
@@ -59,13 +61,12 @@ def speed_behind(walker: Walker, other: Any, dx: float, dy: float, time: float, 
     """The speed [m/s] in the direction of a unit vector d that the time gap [s] to one ahead allows; inf: I pass it by.
 
     v = s / gap (collision-free speed model, Tordeux, Chraibi & Seyfried 2016), where s is the way until the bodies touch when
-    my step, which takes `time` [s], has landed, and the other has kept its pace, which does not count as far as it comes
-    against d: s = way - v time, so v = way / (gap + time).
+    my step, which takes `time` [s], has landed, and the other has kept its pace along d: s = way - v time, so v = way / (gap +
+    time). Its pace across d, or against it, does not count: those who converge on a door would all wait for each other.
     """
-    along = other.vx * dx + other.vy * dy
-    vx, vy = other.vx - min(along, 0.0) * dx, other.vy - min(along, 0.0) * dy
-    way = _way(walker, other, other.x + time * vx, other.y + time * vy, dx, dy)
-    return inf if way == inf else max(way, 0.0) / (gap + time)
+    far = time * max(other.vx * dx + other.vy * dy, 0.0)
+    way = _way(walker, other, other.x + far * dx, other.y + far * dy, dx, dy, SHOULDER)
+    return inf if way == inf else max(way + walker.squeeze, 0.0) / (gap + time)
 
 
 @jit_borrowing
@@ -76,7 +77,7 @@ def danger(walker: Walker, other: Any, vx: float, vy: float, horizon: float, swi
     speed = hypot(wx, wy)
     if speed < 1e-9:
         return 0.0
-    time = max(_way(walker, other, other.x, other.y, wx / speed, wy / speed), 0.0) / speed / swing
+    time = max(_way(walker, other, other.x, other.y, wx / speed, wy / speed, 1.0), 0.0) / speed / swing
     return speed / walker.full * (1 / max(time, SOON) - 1 / horizon) if time < horizon else 0.0
 
 

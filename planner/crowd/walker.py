@@ -7,8 +7,14 @@ from planner.round.reservations import lag
 from planner.round.round import Me, Round, biped_of
 from planner.stepping import timing
 from planner.stepping.beside import middle_beside
+from planner.stepping.footing import needs_care
 from worlds import queries
 from worlds.compiled.jit import jit_borrowing
+
+SQUEEZE, PRESSED = 0.25, 20
+"""Who was left nothing but to stand so often in a row presses so far into the room that bodies keep, in half depths of
+its own; less before. So an arch
+before a door gives way, as it does where people push."""
 
 
 class Walker(NamedTuple):
@@ -37,6 +43,9 @@ class Walker(NamedTuple):
     face_y: float
     deep: float  # half axes of the body [m]
     wide: float
+    squeeze: float  # how far it presses into the room that bodies keep [m]
+    room: float  # from its middle to the nearest tree, wall, water or border [m]
+    careful: bool  # the ground around the last footprint needs to be looked at
 
 
 @jit_borrowing
@@ -46,13 +55,16 @@ def walker_of(round: Round, me: Me, course: float) -> Walker:
     x, y = middle_beside(biped, newer)
     rest_x, rest_y = 0.5 * (older.x + newer.x), 0.5 * (older.y + newer.y)
     half = 0.5 * biped.body.width if biped.body.width > 0 else biped.body.radius
-    margin = min(half, queries.clearance(round.world, x, y) - 0.01)
+    room, careful = queries.clearance(round.world, x, y), needs_care(biped, round.world, newer.x, newer.y)
     stride, facing = biped.gait.preferred_step, 0.5 * (older.heading + newer.heading)
     full = stride / timing.step_timing(biped, stride, 0.0, 0.0, False)[0]
     contact, overlap = newer.contact_time, older.contact_time + older.stance_time - newer.contact_time
+    deep, wide = held.half[me.c, 0], held.half[me.c, 1]
+    squeeze = SQUEEZE * min(round.intents.stood[me.c] / PRESSED, 1.0) * deep
     return Walker(
         me.c, 1 - newer.side, newer.x, newer.y, x, y, newer.heading, rest_x, rest_y, contact, contact + lag(biped), overlap,
-        margin, full, False, 0.0, 0.0, me.hindered, course, cos(facing), sin(facing), held.half[me.c, 0], held.half[me.c, 1],
+        min(half, room - 0.01), full, False, 0.0, 0.0, me.hindered, course, cos(facing), sin(facing), deep, wide, squeeze, room,
+        careful,
     )  # fmt: skip
 
 
@@ -61,5 +73,5 @@ def calmed(w: Walker, wish_x: float, wish_y: float) -> Walker:
     """The same, who wishes for no more than that velocity [m/s]."""
     return Walker(
         w.c, w.side, w.foot_x, w.foot_y, w.x, w.y, w.heading, w.rest_x, w.rest_y, w.time, w.there, w.overlap, w.margin, w.full,
-        True, wish_x, wish_y, w.hindered, w.course, w.face_x, w.face_y, w.deep, w.wide,
+        True, wish_x, wish_y, w.hindered, w.course, w.face_x, w.face_y, w.deep, w.wide, w.squeeze, w.room, w.careful,
     )  # fmt: skip

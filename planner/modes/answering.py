@@ -171,6 +171,7 @@ def _to_the_letter(round: Round, me: Me, wish: Wish, middle: tuple[float, float]
     if me.real:
         intents, c = round.intents, me.c
         intents.aim[c, 0], intents.aim[c, 1], intents.hindered[c] = cos(wish.course), sin(wish.course), 0
+        intents.stood[c] = 0
         intents.rank[c], intents.claim[c, 0], intents.claim[c, 1] = 0.0, middle[0], middle[1]
     return Wish(step, wish.course, wish.longest, False, False)
 

@@ -25,7 +25,7 @@ COMMITTED, TENTATIVE = 3, 3
 """Points of a path: up to the rest, and beyond it."""
 LAG = 0.12
 """How much later than a foot lands the body comes to the middle between the feet, in pendulum times: as measured."""
-AHEAD, STRAY = 0.16, 0.25
+AHEAD, STRAY = 0.2, 0.2
 """How far the com strays from its path, along it in radii of the body and across it in step widths: more keeps bodies apart in
 a throng, less lets them through a gap."""
 ROOM = 0.68
@@ -63,6 +63,7 @@ class Intents(NamedTuple):
     claim: Pairs  # (C, 2) as Reservations
     rank: Numbers  # (C,) as Reservations
     hindered: Integers  # (C,) steps that others kept from getting on
+    stood: Integers  # (C,) how often, of late, others left it nothing but to stand
 
 
 def empty_reservations(bipeds: Any, kind: np.ndarray, size: tuple[float, float], looks: float = 0.0) -> Reservations:

@@ -17,7 +17,7 @@ class Weights(NamedTuple):
     """Of speed lost on the wished course; more of it presses on, and turns aside less."""
     turn: float = 0.15
     """Of a radian that the foot turns off the wished course, or the body goes off its heading: more of it walks straighter."""
-    gap: float = 1.3
+    gap: float = 1.2
     """Time gap kept to who is ahead, in swings: more of it follows from further behind, and flows less."""
     touch: float = 0.35
     """Of an early touch, per 1 / swings of time until then, at full speed: more of it swerves earlier and wider."""

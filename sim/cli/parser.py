@@ -142,6 +142,7 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     verify.add_argument("--quick", action="store_true", help="few cases")
     verify.add_argument("--case", type=values.index, metavar="N", help="only test N of the RiMEA guideline")
     verify.add_argument("--without", metavar="TERM", help="leave a term of the steps' costs out, such as touch")
+    verify.add_argument("--ablation", action="store_true", help="only the table of what each term of the costs pays")
     verify.add_argument("--trajectories", metavar="FOLDER", help="write where everyone went, as PedPy reads it")
     verify.add_argument("--pictures", metavar="FOLDER", help="draw speeds, flows, lanes and where it is dense")
     check = commands.add_parser("check", help="check level, scene and character files; names every fault")

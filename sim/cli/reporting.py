@@ -14,6 +14,7 @@ from sim.reports import literature, measured, timings
 from sim.reports import verify as verifying
 from sim.reports.cycles import people_of
 from sim.reports.measure import measure
+from sim.reports.throngs import ablation
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
 from worlds.errors.wording import nearest
@@ -71,6 +72,10 @@ def bench(options: Any) -> None:
 
 def verified(options: Any) -> None:
     """A line for each case; a figure that does not fit is no error of the command."""
+    if options.ablation:
+        for line in ablation.table():
+            print(line, flush=True)
+        return
     weights, folder, found = _weights(options.without), _folder(options.trajectories), []
     if options.case is not None and options.case not in verifying.numbers():
         known = ", ".join(str(number) for number in verifying.numbers())
@@ -114,12 +119,9 @@ def _weights(without: str | None) -> Weights:
         return PEOPLE
     if without not in Weights._fields:
         raise InputError(f"--without {without}: {', '.join(Weights._fields)} are allowed{nearest(without, Weights._fields)}")
-    if without in _TERM_OF:
-        raise InputError(f"--without {without}: is a scale, no term; its term is {_TERM_OF[without]}")
+    if without in ablation.SCALES:
+        raise InputError(f"--without {without}: is a scale, no term; its term is {ablation.SCALES[without]}")
     return PEOPLE._replace(**{without: 0.0})
-
-
-_TERM_OF = {"horizon": "touch", "distance": "near"}
 
 
 def _album(wanted: str | None) -> Any:

@@ -6,6 +6,7 @@ import numpy as np
 
 from motion.characters.character import load_character
 from planner.modes.walk_to import WalkTo
+from planner.round.reservations import body_sizes
 from planner.round.weights import PEOPLE, Weights
 from sim.stage.simulation import Simulation
 from worlds.queries import survey
@@ -27,20 +28,33 @@ class Flow(NamedTuple):
     time: np.ndarray  # (F,)
     place: np.ndarray  # (F, C, 2) of the centres of mass
     world: World
+    heading: np.ndarray | None = None  # (F, C) of the bodies as they are posed [rad], where that was looked at
+    half: np.ndarray | None = None  # (C, 2) half the depth and the width of their bodies
 
 
-def watched(sim: Simulation, seconds: float, done: float | None = None) -> Flow:
-    """Looked at for so long, or until everyone is beyond x = `done` [m], each from the side where it began."""
-    every, time, place = sim.tick_rate // PER_SECOND, [], []
+def watched(sim: Simulation, seconds: float, done: float | None = None, bodies: bool = False) -> Flow:
+    """Looked at for so long, or until everyone is beyond x = `done` [m], each from the side where it began; also how the
+    `bodies` face."""
+    every, time, place, heading = sim.tick_rate // PER_SECOND, [], [], []
     first = sim.com()[:, 0]
     while sim.time < seconds:
         if sim.ticks % every == 0:
             time.append(sim.time)
             place.append(sim.com()[:, :2].copy())
+            if bodies:
+                heading.append(_facing(sim))
             if done is not None and ((place[-1][:, 0] - done) * (first - done) < 0).all():
                 break
         sim.tick()
-    return Flow(np.array(time), np.array(place), sim.world)
+    flow = Flow(np.array(time), np.array(place), sim.world)
+    half = np.array([0.5 * body_sizes(one.biped) for one in sim.characters])
+    return flow._replace(heading=np.array(heading), half=half) if bodies else flow
+
+
+def _facing(sim: Simulation) -> np.ndarray:
+    """(C,) where the bodies face as they are posed now [rad]."""
+    w, x, y, z = sim.snapshot().body_rotation_wxyz.T
+    return np.arctan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 
 
 def people(world: World, starts: np.ndarray, stops: np.ndarray, weights: Weights = PEOPLE, again: bool = False) -> Simulation:
@@ -102,9 +116,9 @@ def bottleneck(width: float, count: int = 100, neck: float = 1.0, weights: Weigh
     half = 0.5 * (width + THICK)
     left = [(1.0, y + 5), (x, y + 5), (x, y + half), (x + neck, y + half)]
     right = [(px, 2 * y - py) for px, py in left]
-    k = np.arange(count)
-    starts = np.stack([x - 1.5 - 0.55 * (k // 12), y + 0.62 * (k % 12 - 5.5), 0.0 * k], axis=1)
-    stops = np.stack([np.full(count, 38.0), y + 1.5 * (starts[:, 1] - y)], axis=1)
+    k, (rows, behind, beside) = np.arange(count), (12, 0.55, 0.62) if count <= 250 else (16, 0.47, 0.59)
+    starts = np.stack([x - 1.5 - behind * (k // rows), y + beside * (k % rows - 0.5 * (rows - 1)), 0.0 * k], axis=1)
+    stops = np.stack([np.full(count, 38.0), y + np.clip(1.5 * (starts[:, 1] - y), -5.4, 5.4)], axis=1)
     return people(World("bottleneck", (40.0, 2 * y), walls=walls(left, right)), starts, stops[:, None], weights)
 
 
@@ -116,8 +130,11 @@ def specific_flow(flow: Flow, width: float) -> float:
     return float((b - a) / max(through[b] - through[a], 1e-9) / width) if b > a + 5 else 0.0
 
 
-def counterflow(count: int, gap: float = 3.0, weights: Weights = PEOPLE) -> Simulation:
-    """So many a side go against each other through a gap of this width [m]."""
+def counterflow(count: int, gap: float = 3.0, weights: Weights = PEOPLE, names: tuple[str, ...] = ("human",)) -> Simulation:
+    """So many a side go against each other through a gap of this width [m]: characters of these names by turns; all lengths
+    are as much larger as the widest of them is wider than people."""
+    kinds = [load_character(name) for name in names]
+    scale = max(body_sizes(one.biped)[1] for one in kinds) / body_sizes(load_character("human").biped)[1]
     rows = 8 if count > 40 else 4
     columns = -(-count // rows)
     size = (2 * (1.6 * columns + 6.0), max(14.0, 1.6 * rows + 4))
@@ -129,8 +146,12 @@ def counterflow(count: int, gap: float = 3.0, weights: Weights = PEOPLE) -> Simu
     begin = np.concatenate([[[-f, a, 0.0] for f, a in ahead], [[f, a, np.pi] for f, a in ahead]])
     end = np.concatenate([np.stack([s * (4 + 1.6 * column), 2 * aside], axis=1) for s in (1, -1)])
     begin[:, :2] += (x, y)
-    world = World("counterflow", size, walls=walls([(x, 0), (x, y - half)], [(x, size[1]), (x, y + half)]))
-    return people(world, begin, (end + (x, y))[:, None], weights)
+    begin[:, :2] *= scale
+    lines = [[(scale * x, scale * v) for v in ends] for ends in ((0, y - half), (size[1], y + half))]
+    world = World("counterflow", (scale * size[0], scale * size[1]), walls=walls(*lines))
+    who = [kinds[c % len(kinds)] for c in range(len(begin))]
+    planner = WalkTo(begin, scale * (end + (x, y))[:, None], near=1.2 * scale)
+    return Simulation(world, who, planner, 1, weights=weights)
 
 
 def last_through(flow: Flow) -> float:

@@ -14,6 +14,7 @@ from sim.reports import flows
 from sim.reports.flows import Flow
 from sim.reports.people import Case, Row
 from sim.reports.rimea import cases as rimea
+from sim.reports.throngs import cases as throngs
 
 Seen = Callable[[Case, list[Flow], Row], None]
 RING_BANDS = {0.5: (1.20, 1.54), 1.0: (0.96, 1.47), 1.5: (0.71, 1.19), 2.0: (0.51, 1.01), 2.5: (0.35, 0.56), 3.0: (0.2, 0.4)}
@@ -63,7 +64,7 @@ def cases(quick: bool) -> list[Case]:
         for count, limit in ((20, 30.0), (60, 60.0))
     ]
     everything = sorted([corridor, corner, *rings, *rimea.cases()], key=lambda case: case.number)
-    return [corridor, rings[1], necks[2]] if quick else [*everything, *necks, *against]
+    return [corridor, rings[1], necks[2]] if quick else [*everything, *necks, *against, *throngs.cases()]
 
 
 def _first(figure: Callable[[Flow], float]) -> Callable[[list[Flow]], float]:

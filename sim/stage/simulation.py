@@ -139,6 +139,7 @@ class Simulation(Cast):
             self.stand_beside(one.row, (one.x, one.y), one.heading)
             self.crowd.number[one.row], intents = max(number, 2), self.crowd.intents
             intents.aim[one.row], intents.rank[one.row], intents.hindered[one.row] = 0.0, 0.0, 0
+            intents.stood[one.row] = 0
             self.crowd.paused[one.row] = False
         self._go_on_measuring(np.array([one.row for one in come]), before)
         self._publish_anew()
@@ -205,7 +206,8 @@ class Simulation(Cast):
         self.bipeds = table_of(self.kinds)
         self.stand_beside(c, (float(middle[0]), float(middle[1])), float(feet.heading[c, 1] - feet.toe_out[c, 1]))
         self.crowd.number[c] = number
-        self.crowd.intents.aim[c], self.crowd.intents.rank[c], self.crowd.intents.hindered[c] = 0.0, 0.0, 0
+        intents = self.crowd.intents
+        intents.aim[c], intents.rank[c], intents.hindered[c], intents.stood[c] = 0.0, 0.0, 0, 0
         self._use(plans)
         self._publish_anew()
         self._plan()

@@ -1,0 +1,84 @@
+"""Throngs as cases of `verify`: many people, many ways, other characters, and what must not happen among them.
+
+Bands: two ways along a corridor of 4 m and their lanes as in laboratory experiments (Zhang et al. 2012); the rest are bounds of
+our own: nobody stands for long, all arrive, and bodies hardly touch.
+"""
+
+from functools import lru_cache, partial
+
+import numpy as np
+
+from planner.round.weights import Weights
+from sim.reports import flows
+from sim.reports.flows import Flow
+from sim.reports.people import Case
+from sim.reports.throngs import figures, places
+
+TWO_WAYS = (0.55, 1.0, 1.5)
+"""People per square metre where two streams pass through each other."""
+LONGEST = 400.0
+"""No case takes longer [s]."""
+KINDS = {"people": ("human",), "birds": ("bird",), "dinosaurs": ("dinosaur",), "people and birds": ("human", "bird")}
+"""Who goes against each other."""
+EACH, APART = 100, 0.9
+"""So many on a circle, and how far from each other [m]."""
+
+
+def swap(weights: Weights) -> Flow:
+    """Everyone on a circle walks to its opposite side."""
+    return flows.watched(places.circle(EACH, APART, weights), 60.0)
+
+
+def last_across(flow: Flow) -> float:
+    """When the last of a circle has come to within 1.5 m of its place [s]; inf: not all have."""
+    far = np.hypot(*np.moveaxis(flow.place - (flow.world.size[0] - flow.place[0]), 2, 0)) < 1.5
+    return float(flow.time[far.argmax(axis=0)].max()) if far.any(axis=0).all() else float("inf")
+
+
+@lru_cache(1)
+def _neck(width: float, count: int, neck: float, weights: Weights) -> Flow:
+    return flows.watched(flows.bottleneck(width, count, neck, weights), LONGEST, flows.DOOR[0] + neck + 0.5, count <= 100)
+
+
+@lru_cache(1)
+def _against(count: int, names: tuple[str, ...], weights: Weights) -> Flow:
+    sim = flows.counterflow(count, 3.0, weights, names)
+    return flows.watched(sim, LONGEST, sim.world.size[0] / 2)
+
+
+def _slower(all: list[Flow]) -> float:
+    """The flow through the second neck, in that through the first."""
+    first, second = (flows.specific_flow(flow, 1.2) for flow in all)
+    return second / first
+
+
+def _stands(flow: Flow) -> float:
+    """The longest standstill before the gap of a counterflow [s]; inf: not all are through."""
+    return figures.still_longest(flow, flow.world.size[0] / 2) if np.isfinite(flows.last_through(flow)) else float("inf")
+
+
+def cases() -> list[Case]:
+    """In the order in which they are told."""
+    many = partial(_against, 250, ("human",))
+    neck = partial(_neck, 1.2, 100, 1.0)
+    return [
+        *(Case(f"both ways along a corridor 4 m wide, {density:g} per m^2: speed", "m/s", 0.95, 1.34,
+               [partial(places.two_ways, density)], lambda all: figures.speed(all[0], places.met(all[0])))
+          for density in TWO_WAYS),
+        Case("there, at 1.5 per m^2: order of lanes", "", 0.8, 1.0, [partial(places.two_ways, 1.5)],
+             lambda all: figures.lanes(all[0], places.met(all[0]))),
+        Case("a neck of 4 m instead of 1 m: flow, in that of the short one", "times", 0.5, 1.0,
+             [neck, partial(_neck, 1.2, 100, 4.0)], _slower),
+        Case("bottleneck 1.2 m wide, 400 people: flow", "1/(m s)", 1.6, 2.1, [partial(_neck, 1.2, 400, 1.0)],
+             lambda all: flows.specific_flow(all[0], 1.2)),
+        Case("bottleneck 3 m wide, 400 people: flow", "1/(m s)", 1.6, 2.1, [partial(_neck, 3.0, 400, 1.0)],
+             lambda all: flows.specific_flow(all[0], 3.0)),
+        Case("bottleneck 1.2 m wide: longest that bodies overlap by 5 %", "s", 0.0, 0.5, [neck],
+             lambda all: figures.longest_overlap(all[0])),
+        Case(f"{EACH} on a circle change places: longest standstill", "s", 0.0, 6.0, [swap],
+             lambda all: figures.still_longest(all[0]) if np.isfinite(last_across(all[0])) else np.inf),
+        *(Case(f"counterflow, 30 {who} a side: longest standstill", "s", 0.0, 15.0, [partial(_against, 30, names)],
+               lambda all: _stands(all[0])) for who, names in KINDS.items()),
+        Case("counterflow, 250 a side: last through", "s", 0.0, 200.0, [many], lambda all: flows.last_through(all[0])),
+        Case("counterflow, 250 a side: longest standstill", "s", 0.0, 15.0, [many], lambda all: _stands(all[0])),
+    ]  # fmt: skip

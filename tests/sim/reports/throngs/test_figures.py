@@ -1,0 +1,71 @@
+"""Figures of throngs: known ones of people who stand, who walk in lanes, and whose bodies overlap."""
+
+import numpy as np
+import pytest
+
+import main
+from planner.round.weights import PEOPLE
+from sim.reports.flows import PER_SECOND, Flow
+from sim.reports.throngs import figures, places
+from worlds.world import World
+
+WORLD = World("w", (40.0, 7.0))
+
+
+def walking(speeds, y, seconds=20):
+    """People who walk along x from its middle, or against it, in lines at y."""
+    time = np.arange(0, seconds, 1 / PER_SECOND)
+    x = 20.0 + time[:, None] * np.array(speeds)
+    return Flow(time, np.stack([x, np.broadcast_to(np.array(y, float), x.shape)], axis=2), WORLD)
+
+
+def test_the_longest_standstill_is_known():
+    flow = walking([1.0, 1.0], [3.0, 4.0])
+    flow.place[50:81, 1, 0] = flow.place[50, 1, 0]
+    flow.place[120:140, 0, 0] = flow.place[120, 0, 0]
+    assert figures.still_longest(flow) == pytest.approx(3.0)
+    flow.place[..., 0] -= 5.0  # the first is beyond 26 m before it stands, the second is not
+    assert figures.still_longest(flow, 26.0) == pytest.approx(3.0)
+    assert figures.still_longest(flow, 18.0) == pytest.approx(0.0)
+
+
+@pytest.mark.parametrize(
+    ("y", "order"), [([2.0, 2.0, 4.0, 4.0], 1.0), ([3.0, 3.0, 3.0, 3.0], 1 / 9), ([2.0, 4.0, 2.0, 4.0], 1.0)]
+)
+def test_lanes_have_the_order_that_they_have(y, order):
+    """Two go each way: each way in a lane of its own, all in one, or each beside one who goes against it alone."""
+    flow = walking([0.01, 0.01, -0.01, -0.01], y)
+    everyone = np.ones(flow.place.shape[:2], bool)
+    assert figures.lanes(flow, everyone) == pytest.approx(order)
+    assert figures.speed(flow, everyone) == pytest.approx(0.01)
+
+
+def test_bodies_that_face_alike_overlap_by_what_they_are_too_near():
+    flow = walking([0.0, 0.0], [3.0, 3.0], 4)
+    flow.place[:, 1, 0] += np.where(np.arange(40) < 25, 0.24, 0.5)
+    flow = flow._replace(heading=np.zeros((40, 2)), half=np.tile([0.15, 0.25], (2, 1)))
+    np.testing.assert_allclose(figures.overlaps(flow)[[0, 39]], [[0.2, 0.2], [0, 0]], atol=1e-12)
+    assert figures.longest_overlap(flow) == pytest.approx(2.5)
+
+
+def test_streams_meet_where_both_are():
+    time = np.arange(0, 30, 1 / PER_SECOND)
+    x = 20.0 + np.array([-15.0, 15.0]) + time[:, None] * np.array([1.0, -1.0])
+    flow = Flow(time, np.stack([x, np.full_like(x, 3.0)], axis=2), WORLD)
+    met = places.met(flow)
+    assert met[:, 0].sum() == met[:, 1].sum() > 0 and not met[:50].any() and met[150].all()
+
+
+def test_two_streams_pass_each_other_in_lanes():
+    flow = places.two_ways(0.55, PEOPLE)
+    met = places.met(flow)
+    assert met.any() and figures.lanes(flow, met) > 0.8 and figures.speed(flow, met) > 0.95
+
+
+def test_a_table_of_ablation_is_asked_for_by_an_option(monkeypatch, capsys):
+    from sim.reports.throngs import ablation
+
+    monkeypatch.setattr(ablation, "_row", lambda name, weights: f"{name} {sum(value == 0 for value in weights)}")
+    assert main.main(["verify", "--ablation"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[2] == "nothing 0" and lines[3] == "progress 1" and not any("horizon" in line for line in lines)
