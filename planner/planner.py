@@ -98,6 +98,7 @@ class Planner(Protocol):
     # ValueError for plans of a file that it has not made: wrong shapes, or numbers that it would index by; arrived(plans),
     # which tells (C,) who has come to where it was to go, where not all fit onto the world's goal; and looks [m], how far its
     # steps ask for others at least.
+    # One that changes its mind has reconsider(situation), asked some times a second, which returns other plans, or None.
     # One that lets people come and go has come_and_go(plans, Moment) -> Turnover, asked at times; there(plans, time),
     # which tells (C,) who is there; and counts(plans), a table for the run's summary. Everyone is away at first.
 

@@ -5,11 +5,12 @@ from math import hypot
 import numpy as np
 
 from motion.characters.character import Character
-from motion.track.footprints import STEP, Footprints, Step
-from planner.planner import Situation, check_goal
-from planner.river import berths
+from motion.track.footprints import Footprints, Step
+from planner.planner import NoWay, Situation, check_goal
 from planner.river.crossing import Country
-from planner.river.queueing import PLANNING, Routes, ashore_of, empty_routes, stops_of
+from planner.river.queue import berths, parking
+from planner.river.queue.queueing import PLANNING
+from planner.river.queue.routes import Routes, empty_routes, put_route
 from planner.river.route import path_over_land, route
 from planner.river.search import State
 from worlds.compiled.tables import picked
@@ -48,10 +49,30 @@ class RockHop:
         plans = empty_routes(len(characters), max(len(steps) for steps in found))._replace(ends=ends, turn=turn)
         plans.goal[:] = world.goal or world.start
         for c, steps in enumerate(found):
-            plans.steps[c, : len(steps)] = np.array(steps, STEP)
-            plans.length[c], plans.stops[c, : len(steps)] = len(steps), stops_of(steps, characters[c].biped)
-            plans.ashore[c] = ashore_of(world, steps)
+            put_route(plans, world, characters[c], c, steps)
         return plans
+
+    def reconsider(self, situation: Situation) -> Routes | None:
+        """Other plans where crossers wait for each other: those on land make room first, then they begin again, one by one."""
+        plans, characters = situation.before, situation.characters
+        if len(characters) == 1 or not parking.nothing_moves(plans):
+            return None
+        plans.idle[:] = 0
+        begin = bool(plans.parked.any())
+        left = np.flatnonzero(plans.parked if begin else ~parking.is_over(plans))
+        left = left[np.argsort(plans.turn[left], kind="stable")]
+        countries = {id(one.biped): Country(situation.world, one) for one in characters}
+        try:
+            found = self._routes(situation, countries, plans.ends)
+            if not begin:
+                left = left[np.argsort(_by_length([found[c] for c in left]), kind="stable")]
+                afloat = situation.feet.rock[left].max(axis=1) >= 0
+                left = np.concatenate([left[afloat], left[~afloat]])
+            away = {} if begin else parking.places(situation, {c: found[c] for c in left.tolist()})
+            ways = self._routes(situation, countries, parking.ends_of(plans, away))
+        except (NoWay, InputError):
+            return None  # they wait on
+        return parking.other_routes(situation, {c: ways[c] for c in left.tolist()}, away)
 
     def _routes(self, situation: Situation, countries: dict[int, Country], ends: np.ndarray) -> list[list[Step]]:
         """Each one's steps to where it comes to rest, ends (C, 2), with the two that it stands on. Raises NoWay."""
@@ -87,7 +108,7 @@ class RockHop:
 
     def arrived(self, plans: Routes) -> np.ndarray:
         """(C,) whether each is at the end of its route."""
-        return plans.at >= plans.length - 1
+        return parking.is_over(plans) & ~plans.parked
 
     def check_plans(self, plans: Routes, characters: int) -> None:
         """Whether plans from a file are routes: rounds check their steps, one by one. Raises ValueError."""

@@ -88,7 +88,15 @@ class Simulation(Cast):
         super().tick()
         if self.ticks % self._every == 0:
             self._come_and_go()
+            self._reconsider()
         self._plan()
+
+    def _reconsider(self) -> None:
+        """Takes other plans where the planner makes some of itself."""
+        reconsider = getattr(self.planner, "reconsider", None)
+        plans = None if reconsider is None else reconsider(self.situation(self.world))
+        if plans is not None:
+            self.change(self.world, plans)
 
     def _come_and_go(self) -> None:
         """Lets out who goes and lets in who comes, where the planner does such a thing."""

@@ -1,11 +1,15 @@
 """Many cross one river: apart from the start to the end, one behind the other where it is narrow; and nobody leaps backward."""
 
+import itertools
+
 import numpy as np
 import pytest
 
 from motion.characters.character import load_character
+from planner.crowd.bodies import gap_between
 from planner.planner import NoWay
 from planner.river.rock_hop import RockHop
+from planner.round.reservations import body_sizes
 from sim.stage.commands import SetGoal, apply
 from sim.stage.simulation import Simulation
 from worlds.errors import InputError
@@ -24,6 +28,14 @@ def least_gap(sim):
     return gaps[~np.eye(len(place), dtype=bool)].min()
 
 
+def least_gap_of_ellipses(sim):
+    """The same of bodies as they pass each other, less deep than wide [m]."""
+    place, face, kinds = sim.com()[:, :2], sim.reservations.face, [one.biped for one in sim.characters]
+    half = [tuple(0.5 * body_sizes(one)) for one in kinds]
+    pairs = itertools.combinations(range(len(kinds)), 2)
+    return min(gap_between(half[a], tuple(face[a]), half[b], tuple(face[b]), *(place[a] - place[b])) for a, b in pairs)
+
+
 @pytest.mark.parametrize(
     ("level", "names"), [("river_easy", ["bird"]), ("river_leaps", ["human"]), ("river_delta", ["human", "bird"])]
 )
@@ -37,6 +49,26 @@ def test_many_cross_and_keep_apart(level, names):
         if sim.reached_goal.all():
             break
     assert sim.reached_goal.all() and least > 0
+
+
+@pytest.mark.parametrize(("level", "name", "count", "seed"), [("river_leaps", "human", 4, 0), ("river_leaps", "human", 8, 2),
+                                                              ("river_easy", "bird", 8, 1)])  # fmt: skip
+def test_all_arrive_where_the_goal_goes_back_and_forth_among_them(level, name, count, seed):
+    """They are at odds then, and would wait for each other: some make room, and nobody is at its goal who does."""
+    world, rng, parked = load_level(level), np.random.default_rng(seed), 0
+    sim = Simulation(world, cast([name], count), RockHop(), seed)
+    for k, time in enumerate(sorted(rng.uniform(6, 60, 4))):
+        while sim.time < time:
+            sim.tick()
+        apply(sim, SetGoal(*(world.start, world.goal)[k % 2]))
+    least = np.inf
+    while not sim.reached_goal.all() and sim.time < 240:
+        sim.tick()
+        if sim.ticks % 30 == 0:
+            least, parked = min(least, least_gap_of_ellipses(sim)), max(parked, int(sim.plans.parked.sum()))
+            assert not (sim.planner.arrived(sim.plans) & sim.plans.parked).any()
+    assert sim.reached_goal.all() and parked > 0
+    assert least > 0
 
 
 def test_the_first_begins_at_the_start_and_the_others_behind_it():

@@ -6,17 +6,15 @@ when every sole of it, and the way of the body, are clear of what the others hol
 
 They go in turn: nobody comes to rest in the way that one before it has still to go. So the first of those who are not across
 yet finds its way free, whatever the others do: nobody waits forever, where they begin out of each other's ways
-(planner.river.berths). At first they go in the order of their numbers; where a change of the world finds them on their ways,
-whoever has the least to go is the first. Ashore on the other side each walks on by itself, around the others, to its own place.
+(planner.river.queue.berths). At first they go in the order of their numbers; where a change of the world finds them on their
+ways, whoever has the least to go is the first. Ashore on the other side each walks on by itself, around the others.
 """
 
 from math import hypot, inf
 from typing import Any, NamedTuple
 
-import numpy as np
-
-from motion.characters.dimensions import Dimensions
-from motion.track.footprints import STEP, Foot, Step, outward, step_in
+from motion.track.footprints import Foot, outward, step_in
+from planner.river.queue.routes import Routes, empty_routes
 from planner.round.kernel import Compiled
 from planner.round.reservations import COMMITTED, TENTATIVE, Reservations, foot_is_free, lag, least_distance, line_distance
 from planner.round.round import PATIENT, UNHURRIED, Me, Round, Wish, biped_of, standing
@@ -25,10 +23,7 @@ from planner.stepping.arriving import STAND_TIME, arrive, walk_on
 from planner.stepping.beside import Place, middle_beside
 from planner.stepping.footing import surely
 from planner.stepping.timing import step_timing
-from worlds import queries
-from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
-from worlds.world import World
 
 WAIT = 0.15
 """Who waits looks again after twice this time [s]: each foot stands on once."""
@@ -40,23 +35,6 @@ NEAR = 2.0
 """Who walks has come by a place of its route within so many preferred steps of it."""
 CLEAR = 0.02
 """Room kept beside the ways of those who go first, beyond that between bodies [m]."""
-STRADDLES = 0.9
-"""Feet no farther apart than this, in nominal legs, can be waited on."""
-
-
-class Routes(NamedTuple):
-    """The routes of C characters, R footprints at most."""
-
-    at: np.ndarray  # (C,) the footprint of the route that was taken last
-    waits: np.ndarray  # (C,) bool: others hold what comes next
-    length: np.ndarray  # (C,) footprints, with the two that it began on
-    steps: Any  # (C, R) records of STEP
-    stops: np.ndarray  # (C, R) bool: one can wait on this footprint and the one before
-    ashore: np.ndarray  # (C,) from which footprint on all lie on land
-    turn: np.ndarray  # (C,) who has a lesser one goes first
-    walks: np.ndarray  # (C,) bool: ashore, among others: around them, and the route only tells the way
-    ends: np.ndarray  # (C, 2) where each is to come to rest [m]
-    goal: np.ndarray  # (C, 2) the world's goal when that was decided [m]
 
 
 class Going(NamedTuple):
@@ -65,44 +43,6 @@ class Going(NamedTuple):
     x: float  # where it rests [m]
     y: float
     time: float  # contact of the newest footprint [s]
-
-
-def empty_routes(characters: int, steps: int) -> Routes:
-    """Routes of no step."""
-    c = characters
-    return Routes(
-        at=np.ones(c, np.int64),
-        waits=np.zeros(c, np.bool_),
-        length=np.full(c, 2),
-        steps=np.zeros((c, max(steps, 2)), STEP),
-        stops=np.ones((c, max(steps, 2)), np.bool_),
-        ashore=np.ones(c, np.int64),
-        turn=np.arange(c),
-        walks=np.zeros(c, np.bool_),
-        ends=np.zeros((c, 2)),
-        goal=np.zeros((c, 2)),
-    )
-
-
-def stops_of(steps: list[Step], biped: Dimensions) -> list[bool]:
-    """On which footprints of a route, with the ones before, one can wait: two feet, not too far apart."""
-    most = STRADDLES * float(biped.leg.nominal_length)
-    pairs = zip(steps, steps[1:], strict=False)
-    return [True, *(a.side != z.side and hypot(z.x - a.x, z.y - a.y) <= most for a, z in pairs)]
-
-
-def ashore_of(world: World, steps: list[Step]) -> int:
-    """From which footprint of a route on all, and all the ways between them, lie on land; at the last, if none do."""
-    for k in range(len(steps) - 1, 0, -1):
-        if _wet(world.arrays, steps[k - 1], steps[k]):
-            return min(k + 1, len(steps) - 1)
-    return 1
-
-
-def _wet(world: WorldArrays, a: Step, z: Step) -> bool:
-    """Whether a step leads off a rock, or over water."""
-    water = (queries.in_water(world, a.x + s * (z.x - a.x), a.y + s * (z.y - a.y)) for s in (0.0, 0.25, 0.5, 0.75))
-    return queries.rock_under(world, a.x, a.y, 0.0) >= 0 or any(water)
 
 
 @jit_borrowing
@@ -226,7 +166,8 @@ def _walk(round: Round, me: Me) -> Wish:
     """Ashore, among others: on to where it is to come to rest, by the places of its route, around whoever is in the way."""
     plans, c, biped, last = round.plans, me.c, biped_of(round, me), round.plans.length[me.c] - 1
     middle, stride = middle_beside(biped, me.feet.newer), biped.gait.preferred_step
-    at, end = plans.at[c], (plans.ends[c, 0], plans.ends[c, 1])
+    ends = plans.aside if plans.parked[c] else plans.ends
+    at, end = plans.at[c], (ends[c, 0], ends[c, 1])
     while at < last - 1 and hypot(plans.steps[c, at].x - middle[0], plans.steps[c, at].y - middle[1]) < NEAR * stride:
         at += 1
     if hypot(end[0] - middle[0], end[1] - middle[1]) < (THERE + CONTENT * min(me.hindered, PATIENT)) * stride:

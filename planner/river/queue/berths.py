@@ -27,7 +27,7 @@ MARGIN = 0.03
 """Kept beyond what two bodies need between a place and another's way [m]."""
 
 
-def _room(character: Character) -> float:
+def room(character: Character) -> float:
     """Of a body that sways as it walks [m]."""
     biped = character.biped
     return float(biped.body.radius + STRAY * biped.gait.step_width)
@@ -50,7 +50,7 @@ class Cast(NamedTuple):
     @property
     def apart(self) -> float:
         """What two bodies need between them [m]."""
-        return 2 * max(_room(kind) for kind in self.kinds)
+        return 2 * max(room(kind) for kind in self.kinds)
 
     @property
     def largest(self) -> Character:
