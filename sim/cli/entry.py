@@ -10,6 +10,7 @@ from typing import Any
 from sim import VERSION
 from sim.cli import parser, stopping
 from sim.cli.status import BAD_INPUT, DONE, FAULT
+from sim.cli.words import forget_stdout, refuse_words, takes_words
 from worlds.errors import InputError
 
 
@@ -36,7 +37,7 @@ def run(options: Any) -> int:
     except stopping.Stopped as stopped:  # and has said so
         return stopped.status
     except BrokenPipeError:  # whoever reads has read enough, as `| head -1` does
-        _forget_stdout()
+        forget_stdout()
         return DONE
     except InputError as error:
         _say(str(error))
@@ -45,7 +46,9 @@ def run(options: Any) -> int:
         _say("this needs more memory than there is")
         return BAD_INPUT
     except OSError as error:
-        _forget_stdout()
+        if not error.filename and not takes_words():
+            return refuse_words(error)
+        forget_stdout()
         _say(f"{error.filename or 'what was to be read or written'}: {error.strerror or error}")
         _say(f"where that was: {_report(options)}")
         return BAD_INPUT
@@ -63,12 +66,6 @@ def _speak_plainly() -> None:
             setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115 (it lives as long as the program)
         elif hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
-
-
-def _forget_stdout() -> None:
-    """What is still to be written goes nowhere: else Python would complain once more at its end."""
-    with suppress(OSError, ValueError, AttributeError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _say(text: str) -> None:

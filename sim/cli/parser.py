@@ -3,11 +3,13 @@
 import argparse
 import difflib
 import re
+import sys
 from pathlib import Path
 from typing import Any, NoReturn
 
 from sim import VERSION
 from sim.cli import values
+from sim.cli.words import forget_stdout, refuse_words
 from sim.export.endings import FILMS, FORMATS
 from sim.files.imports.trajectories import formats
 
@@ -28,6 +30,14 @@ class _Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         super().error(message + _nearest(message, self))
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        try:
+            print(message or "", end="", file=file or sys.stderr, flush=True)
+        except BrokenPipeError:  # whoever reads has read enough
+            forget_stdout()
+        except OSError as error:
+            raise SystemExit(refuse_words(error)) from None
 
 
 def _nearest(message: str, parser: argparse.ArgumentParser) -> str:

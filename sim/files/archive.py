@@ -23,6 +23,8 @@ LARGEST, SURELY, DENSEST = 16_000_000_000, 1_000_000_000, 200
 more was made to."""
 LARGEST_META = 400_000_000
 """Bytes of the JSON string in memory, four to a letter."""
+ENCRYPTED = 1
+"""The bit of a member's flags that says so."""
 MOST_MEMBERS = 1000
 """Arrays in a file."""
 PACKED, TABLE, LONG = ".packed", ".table", 10_000
@@ -106,6 +108,8 @@ def _check_sizes(path: Path) -> None:
 
 def _size(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> int:
     """Bytes of an array, as its header tells. Raises ValueError where the archive tells otherwise."""
+    if info.flag_bits & ENCRYPTED:
+        raise ValueError(f"{info.filename} is encrypted, which nothing that Footfall writes is")
     if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         raise ValueError(f"{info.filename} is packed in a way that numpy does not write")
     with archive.open(info) as member:

@@ -111,6 +111,16 @@ def test_a_full_disk_keeps_no_other_file_from_being_written(tmp_path):
     assert json.loads(ran.stdout)["seconds"] == pytest.approx(0.1) and state.exists()
 
 
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="/dev/full")
+@pytest.mark.parametrize("command", [["play", "--list"], ["--help"], ["--version"], ["wander", "--help"]])
+def test_words_that_find_no_room_are_missed(command):
+    with open("/dev/full", "w") as full:
+        ran = subprocess.run(
+            [sys.executable, "main.py", *command], cwd=main.HERE, stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert ran.returncode == 2 and ran.stderr == "footfall: standard output: cannot be written: No space left on device\n"
+
+
 def test_unknown_kinds_of_pictures_and_films_are_refused_before_the_run(tmp_path, capsys):
     for option, ending, allowed in (("--video", ".xyz", ".mp4, .m4v"), ("--screenshot", ".docx", ".png, .jpg")):
         path = tmp_path / f"out{ending}"
