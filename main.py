@@ -31,8 +31,12 @@ def main(arguments: list[str] | None = None) -> int:
     if sys.version_info < (3, 11):
         return _refused(f"Footfall needs Python 3.11 or newer; this is {sys.version.split()[0]}")
     from sim.cli import parser
+    from sim.cli.status import refuse_words
 
-    options = parser.parsed(arguments)
+    try:
+        options = parser.parsed(arguments)
+    except OSError as error:
+        return refuse_words(error)
     locks = _locks(options)
     missing = _missing(locks)
     if missing and not _is_ours():

@@ -1,5 +1,6 @@
 """Whether those who stand are apart: no two bodies overlap, and no two soles. Asked of starts, and of who becomes larger."""
 
+from collections.abc import Iterator
 from math import cos, hypot, sin
 from typing import NamedTuple
 
@@ -15,6 +16,8 @@ from worlds.errors import InputError
 
 TOUCH = 1e-6
 """Bodies and soles that overlap by no more than this touch [m]."""
+INSIDE = 0.25
+"""Bodies nearer than this share of their radii are in one place."""
 BODIES, SOLES = "bodies", "soles"
 
 
@@ -32,18 +35,29 @@ def overlap_of(bipeds: list[Dimensions], places: np.ndarray) -> Overlap | None:
     They are put into a grid one by one. Those in it are apart, so few of them lie near: it takes time in proportion to C.
     """
     reaches = {id(one): _reach(one) for one in bipeds}
-    cell = 2 * max(reaches.values())
-    grid: dict[tuple[int, int], list[int]] = {}
-    for c, (x, y, _) in enumerate(places.tolist()):
-        i, j = int(x // cell), int(y // cell)
-        for other in (k for a in (i - 1, i, i + 1) for b in (j - 1, j, j + 1) for k in grid.get((a, b), ())):
-            most = reaches[id(bipeds[c])] + reaches[id(bipeds[other])]
-            if hypot(x - places[other, 0], y - places[other, 1]) < most:
-                what = what_overlaps(bipeds[c], places[c], bipeds[other], places[other])
-                if what is not None:
-                    return Overlap(c, other, what)
-        grid.setdefault((i, j), []).append(c)
+    for c, other in _near(places, 2 * max(reaches.values())):
+        most = reaches[id(bipeds[c])] + reaches[id(bipeds[other])]
+        if hypot(*(places[c, :2] - places[other, :2])) < most:
+            what = what_overlaps(bipeds[c], places[c], bipeds[other], places[other])
+            if what is not None:
+                return Overlap(c, other, what)
     return None
+
+
+def one_inside_another(radius: np.ndarray, rest: np.ndarray) -> tuple[int, int] | None:
+    """Two of C who are in one place: no planner brings bodies of these radii (C,) so near to each other, at rest (C, 2) [m]."""
+    pairs = _near(rest, 2 * float(radius.max(initial=1e-3)))
+    return next((p for p in pairs if hypot(*(rest[p[0]] - rest[p[1]])) < INSIDE * (radius[p[0]] + radius[p[1]])), None)
+
+
+def _near(places: np.ndarray, cell: float) -> Iterator[tuple[int, int]]:
+    """Pairs of C whose places (C, 2 or more) x, y [m] lie in one cell of a grid or in two beside each other: each with those
+    before it, one after the other."""
+    grid: dict[tuple[int, int], list[int]] = {}
+    for c, (x, y) in enumerate(places[:, :2].tolist()):
+        i, j = int(x // cell), int(y // cell)
+        yield from ((c, k) for a in (i - 1, i, i + 1) for b in (j - 1, j, j + 1) for k in grid.get((a, b), ()))
+        grid.setdefault((i, j), []).append(c)
 
 
 def check_apart(bipeds: list[Dimensions], places: np.ndarray) -> None:

@@ -9,14 +9,16 @@ from typing import Any
 
 from sim import VERSION
 from sim.cli import parser, stopping
-from sim.cli.status import BAD_INPUT, DONE, FAULT
-from sim.cli.words import forget_stdout, refuse_words, takes_words
+from sim.cli.status import BAD_INPUT, DONE, FAULT, forget_stdout, refuse_words, takes_words
 from worlds.errors import InputError
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Runs one command; returns its exit status (sim.cli.status)."""
-    options = parser.parsed(sys.argv[1:] if arguments is None else arguments)
+    try:
+        options = parser.parsed(sys.argv[1:] if arguments is None else arguments)
+    except OSError as error:
+        return refuse_words(error)
     if options.command == "test":
         print("footfall: the tests come with the source: python main.py test, in a checkout", file=sys.stderr)
         return BAD_INPUT

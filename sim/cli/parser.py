@@ -9,7 +9,6 @@ from typing import Any, NoReturn
 
 from sim import VERSION
 from sim.cli import values
-from sim.cli.words import forget_stdout, refuse_words
 from sim.export.endings import FILMS, FORMATS
 from sim.files.imports.trajectories import formats
 
@@ -32,12 +31,7 @@ class _Parser(argparse.ArgumentParser):
         super().error(message + _nearest(message, self))
 
     def _print_message(self, message: str, file: Any = None) -> None:
-        try:
-            print(message or "", end="", file=file or sys.stderr, flush=True)
-        except BrokenPipeError:  # whoever reads has read enough
-            forget_stdout()
-        except OSError as error:
-            raise SystemExit(refuse_words(error)) from None
+        print(message or "", end="", file=file or sys.stderr, flush=True)
 
 
 def _nearest(message: str, parser: argparse.ArgumentParser) -> str:
@@ -53,7 +47,10 @@ def _nearest(message: str, parser: argparse.ArgumentParser) -> str:
 
 
 def parsed(arguments: list[str]) -> argparse.Namespace:
-    """The options of a command line; one that begins with an option, or is empty, is one of `wander`."""
+    """The options of a command line; one that begins with an option, or is empty, is one of `wander`.
+
+    Raises OSError where help is asked for and stdout does not take it.
+    """
     arguments = with_default(arguments)
     if arguments[0] == "test":  # whatever follows is pytest's
         return argparse.Namespace(command="test", arguments=arguments[1:])

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from motion.characters.character import Character
+from planner.crowd.apart import one_inside_another
 from planner.planner import NoWay, Planner
 from planner.planners import PLANNERS
 from sim import VERSION
@@ -117,6 +118,15 @@ def restore(path: str | Path, planner: Planner | None = None) -> Simulation:
         raise InputError(f"{path}: is damaged: {error}") from None
 
 
+def _check_apart(sim: Simulation) -> None:
+    """Raises ValueError where two are in one place."""
+    there, radius = np.flatnonzero(sim.present()), np.array([float(one.biped.body.radius) for one in sim.characters])
+    found = one_inside_another(radius[there], sim.feet().position[there, :, :2].mean(axis=1))
+    if found is not None:
+        one, other = (int(there[k]) for k in found)
+        raise ValueError(f"characters {other} and {one} are in one place")
+
+
 def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulation:
     kinds = [Character.from_dict(kind["dimensions"], kind["look"]) for kind in meta["kinds"]]
     crowd = archive.unflat(CROWD, empty_crowd(arrays[f"{CROWD}.kind"]), arrays)
@@ -131,6 +141,7 @@ def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulat
     check_log(kept, meta["recasts"])
     world = World.from_dict(meta["world"], arrays[HEIGHTS])
     sim = Simulation(world, cast, planner, meta["seed"], meta["tick_rate"], State(meta["ticks"], crowd, plans))
+    _check_apart(sim)
     sim.gone[:] = meta["distance"]
     for change in meta["changes"]:
         from_plain(change["command"])

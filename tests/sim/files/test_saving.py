@@ -133,6 +133,21 @@ def test_bad_states_are_refused(tmp_path, capsys):
     assert main.main(["--headless", "--seconds", "1", "--save", str(tmp_path / "no" / "s.npz")]) == 2
 
 
+def test_states_with_two_in_one_place_are_refused(tmp_path):
+    """Also where the file is what was saved: what is in the row of the second is what is in that of the first."""
+    sim = make_simulation("forest", "bird", 3, 1, False)
+    for _ in range(200):
+        sim.tick()
+    save(sim, tmp_path / "apart.npz")
+    restore(tmp_path / "apart.npz")
+    for column in sim.crowd:
+        for array in column if isinstance(column, tuple) else (column,):
+            array[2] = array[0]
+    save(sim, tmp_path / "within.npz")
+    with pytest.raises(InputError, match="is damaged: characters 0 and 2 are in one place"):
+        restore(tmp_path / "within.npz")
+
+
 def test_a_planner_of_ones_own_is_given_to_restore(tmp_path):
     world, bird, mine = World("yard", (20.0, 20.0)), load_character("bird"), Custom(in_a_circle, [(10.0, 6.0, 0.0)])
     sim = Simulation(world, [bird], mine, 0)
