@@ -56,9 +56,9 @@ def test_skirts_are_where_tiles_of_another_kind_meet():
 
 
 def test_what_a_coarser_tile_is_off_by():
-    tile = np.zeros((9, 9, 9))
-    tile[..., 0], tile[..., 1] = np.meshgrid(np.arange(9), np.arange(9))
-    assert ground._off(tile, 8) == (0, 0)
-    tile[4, 4, 2], tile[2, 2, 6] = 0.4, 2 * ground.OFF_COLOUR
-    height, rest = ground._off(tile, 8)
-    assert height == pytest.approx(0.4) and rest == pytest.approx(2.0) and ground._off(tile, 1) == (0, 0)
+    tiles = np.zeros((2, 9, 9, 9))
+    tiles[..., 0], tiles[..., 1] = np.meshgrid(np.arange(9), np.arange(9))
+    assert not ground._off(tiles, 8).any()
+    tiles[1, 4, 4, 2], tiles[1, 2, 2, 6] = 0.4, 2 * ground.OFF_COLOUR
+    np.testing.assert_allclose(ground._off(tiles, 8), [(0, 0), (0.4, 2.0)])
+    assert not ground._off(tiles, 1).any()

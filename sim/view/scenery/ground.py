@@ -40,12 +40,17 @@ class Ground:
         down, across = range(0, rows - 1, TILE), range(0, columns - 1, TILE)
         corners, self._shape = [(r, c) for r in down for c in across], (len(down), len(across))
         self._tiles = [(r, c, min(r + TILE, rows - 1) - r, min(c + TILE, columns - 1) - c) for r, c in corners]
-        boxes = [grid[r : r + high + 1, c : c + wide + 1, :3].reshape(-1, 3) for r, c, high, wide in self._tiles]
-        low, high = np.array([box.min(axis=0) for box in boxes]), np.array([box.max(axis=0) for box in boxes])
-        self._middle = 0.5 * (low + high).astype(float)
+        low, high = np.empty((len(corners), 3)), np.empty((len(corners), 3))
+        self._off = np.empty((len(corners), len(STRIDES), 2))
+        for some in _alike(self._tiles):
+            _, _, h, w = self._tiles[some[0]]
+            tiles = np.stack([grid[r : r + h + 1, c : c + w + 1] for r, c, _, _ in (self._tiles[k] for k in some)])
+            low[some], high[some] = tiles[..., :3].min(axis=(1, 2)), tiles[..., :3].max(axis=(1, 2))
+            for level, stride in enumerate(STRIDES):
+                self._off[some, level] = _off(tiles, stride)
+        self._middle = 0.5 * (low + high)
         self._radius = 0.5 * np.linalg.norm(high - low, axis=1) + DROP
         self._cell = float(max(np.abs(grid[0, 1] - grid[0, 0])[0], np.abs(grid[1, 0] - grid[0, 0])[1]))
-        self._off = np.array([[_off(grid[r : r + h + 1, c : c + w + 1], s) for s in STRIDES] for r, c, h, w in self._tiles])
         self._shown, self._made = b"", dict[tuple[int, int, Sides], np.ndarray]()
 
     def cull(self, view: np.ndarray, eye: np.ndarray, height: int) -> None:
@@ -81,12 +86,19 @@ class Ground:
         self._mesh.release()
 
 
-def _off(tile: np.ndarray, stride: int) -> tuple[float, float]:
-    """How far a tile (R, C, 9) is off where it is drawn with a stride: in height [m], and in what else is allowed."""
-    kept = [np.unique(np.append(np.arange(0, n - 1, stride), n - 1)) for n in tile.shape[:2]]
-    down, across = (_blend(n, some) for n, some in zip(tile.shape[:2], kept, strict=True))
-    off = np.abs(np.einsum("ra,abk,cb->rck", down, tile[np.ix_(*kept)], across) - tile).max(axis=(0, 1))
-    return float(off[2]), float(max(off[3:6].max() / OFF_NORMAL, off[6:].max() / OFF_COLOUR))
+def _alike(tiles: list[tuple[int, int, int, int]]) -> list[list[int]]:
+    """Numbers of the tiles of each size."""
+    sizes = sorted({tile[2:] for tile in tiles})
+    return [[k for k, tile in enumerate(tiles) if tile[2:] == size] for size in sizes]
+
+
+def _off(tiles: np.ndarray, stride: int) -> np.ndarray:
+    """(N, 2) how far tiles (N, R, C, 9) are off where they are drawn with a stride: in height [m], in shares of what is allowed."""
+    kept = [np.unique(np.append(np.arange(0, n - 1, stride), n - 1)) for n in tiles.shape[1:3]]
+    down, across = (_blend(n, some) for n, some in zip(tiles.shape[1:3], kept, strict=True))
+    drawn = np.einsum("ra,nabk->nrbk", down, tiles[:, kept[0]][:, :, kept[1]])
+    off = np.abs(np.einsum("cb,nrbk->nrck", across, drawn) - tiles).max(axis=(1, 2))
+    return np.column_stack([off[:, 2], np.maximum(off[:, 3:6].max(axis=1) / OFF_NORMAL, off[:, 6:].max(axis=1) / OFF_COLOUR)])
 
 
 def _blend(count: int, kept: np.ndarray) -> np.ndarray:
