@@ -93,7 +93,7 @@ def _alike(tiles: list[tuple[int, int, int, int]]) -> list[list[int]]:
 
 
 def _off(tiles: np.ndarray, stride: int) -> np.ndarray:
-    """(N, 2) how far tiles (N, R, C, 9) are off where they are drawn with a stride: in height [m], in shares of what is allowed."""
+    """(N, 2) how far tiles (N, R, C, 9) drawn with a stride are off: in height [m], in shares of what else is allowed."""
     kept = [np.unique(np.append(np.arange(0, n - 1, stride), n - 1)) for n in tiles.shape[1:3]]
     down, across = (_blend(n, some) for n, some in zip(tiles.shape[1:3], kept, strict=True))
     drawn = np.einsum("ra,nabk->nrbk", down, tiles[:, kept[0]][:, :, kept[1]])
