@@ -40,7 +40,7 @@ def test_tiles_look_like_the_whole_grid(level, distance, elevation, monkeypatch)
 
 
 def test_skirts_look_outward_and_triangles_up():
-    pattern = ground._pattern(5, 8, 4).reshape(-1, 3, 3).astype(float)
+    pattern = ground._pattern(5, 8, 4, (True,) * 4).reshape(-1, 3, 3).astype(float)
     corners = pattern[..., [1, 0, 2]] * (1, 1, -1)  # x, y, height: what hangs lies lower
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     flat = ~pattern[:, :, 2].any(axis=1)
@@ -49,10 +49,16 @@ def test_skirts_look_outward_and_triangles_up():
     assert 0.5 * normals[flat, 2].sum() == pytest.approx(5 * 8)
 
 
+def test_skirts_are_where_tiles_of_another_kind_meet():
+    sides = ground._sides(np.array([[0, 0, -1], [0, 2, 0]]))
+    assert sides[0, 0].tolist() == [False] * 4 and sides[1, 1].tolist() == [True, True, False, True]
+    assert sides[0, 1].tolist() == [False, False, True, False] and not sides[1, 2, 0] and sides[1, 2, 3]
+
+
 def test_what_a_coarser_tile_is_off_by():
-    tile = np.zeros((9, 9, 9))
-    tile[..., 0], tile[..., 1] = np.meshgrid(np.arange(9), np.arange(9))
-    assert ground._off(tile, 8) == (0, 0)
-    tile[4, 4, 2], tile[2, 2, 6] = 0.4, 2 * ground.OFF_COLOUR
-    height, rest = ground._off(tile, 8)
-    assert height == pytest.approx(0.4) and rest == pytest.approx(2.0) and ground._off(tile, 1) == (0, 0)
+    tiles = np.zeros((2, 9, 9, 9))
+    tiles[..., 0], tiles[..., 1] = np.meshgrid(np.arange(9), np.arange(9))
+    assert not ground._off(tiles, 8).any()
+    tiles[1, 4, 4, 2], tiles[1, 2, 2, 6] = 0.4, 2 * ground.OFF_COLOUR
+    np.testing.assert_allclose(ground._off(tiles, 8), [(0, 0), (0.4, 2.0)])
+    assert not ground._off(tiles, 1).any()

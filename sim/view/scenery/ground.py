@@ -24,6 +24,10 @@ DROP = 0.5
 """How far skirts hang down [m]."""
 
 
+Sides = tuple[bool, ...]
+"""Below, right, above, left: which of them have a skirt."""
+
+
 class Ground:
     """Draws a grid of vertices (R, C, 9), position, normal and colour; rows go along +y, columns along +x."""
 
@@ -33,15 +37,21 @@ class Ground:
         hanging[..., 2] -= DROP
         self._mesh = Mesh(ctx, layout, np.concatenate([grid.reshape(-1, 9), hanging.reshape(-1, 9)]), np.zeros(3))
         self._below, self._columns = rows * columns, columns
-        corners = [(r, c) for r in range(0, rows - 1, TILE) for c in range(0, columns - 1, TILE)]
+        down, across = range(0, rows - 1, TILE), range(0, columns - 1, TILE)
+        corners, self._shape = [(r, c) for r in down for c in across], (len(down), len(across))
         self._tiles = [(r, c, min(r + TILE, rows - 1) - r, min(c + TILE, columns - 1) - c) for r, c in corners]
-        boxes = [grid[r : r + high + 1, c : c + wide + 1, :3].reshape(-1, 3) for r, c, high, wide in self._tiles]
-        low, high = np.array([box.min(axis=0) for box in boxes]), np.array([box.max(axis=0) for box in boxes])
-        self._middle = 0.5 * (low + high).astype(float)
+        low, high = np.empty((len(corners), 3)), np.empty((len(corners), 3))
+        self._off = np.empty((len(corners), len(STRIDES), 2))
+        for some in _alike(self._tiles):
+            _, _, h, w = self._tiles[some[0]]
+            tiles = np.stack([grid[r : r + h + 1, c : c + w + 1] for r, c, _, _ in (self._tiles[k] for k in some)])
+            low[some], high[some] = tiles[..., :3].min(axis=(1, 2)), tiles[..., :3].max(axis=(1, 2))
+            for level, stride in enumerate(STRIDES):
+                self._off[some, level] = _off(tiles, stride)
+        self._middle = 0.5 * (low + high)
         self._radius = 0.5 * np.linalg.norm(high - low, axis=1) + DROP
         self._cell = float(max(np.abs(grid[0, 1] - grid[0, 0])[0], np.abs(grid[1, 0] - grid[0, 0])[1]))
-        self._off = np.array([[_off(grid[r : r + h + 1, c : c + w + 1], s) for s in STRIDES] for r, c, h, w in self._tiles])
-        self._shown = b""
+        self._shown, self._made = b"", dict[tuple[int, int, Sides], np.ndarray]()
 
     def cull(self, view: np.ndarray, eye: np.ndarray, height: int) -> None:
         """Chooses what is drawn into a view (4, 4) from the eye (3,), of `height` pixels."""
@@ -54,15 +64,18 @@ class Ground:
         level = np.argmax(fits, axis=1)  # the coarsest that fits; the finest always does
         level[~seen] = -1
         if level.tobytes() != self._shown:
-            self._shown = level.tobytes()
-            corners = [self._corners(k, STRIDES[level[k]]) for k in np.flatnonzero(seen).tolist()]
-            self._mesh.choose(np.concatenate([np.zeros(0, "i4"), *corners]).astype("i4"))
+            self._shown, sides = level.tobytes(), _sides(level.reshape(self._shape)).reshape(-1, 4).tolist()
+            corners = [self._corners(k, STRIDES[level[k]], tuple(sides[k])) for k in np.flatnonzero(seen).tolist()]
+            self._mesh.choose(np.concatenate([np.zeros(0, "i4"), *corners]))
 
-    def _corners(self, k: int, stride: int) -> np.ndarray:
-        r, c, high, wide = self._tiles[k]
-        local = _pattern(high, wide, stride)
-        index = (r + local[:, 0]) * self._columns + c + local[:, 1]
-        return index + self._below * local[:, 2]
+    def _corners(self, k: int, stride: int, sides: Sides) -> np.ndarray:
+        key = k, stride, sides
+        if key not in self._made:
+            r, c, high, wide = self._tiles[k]
+            local = _pattern(high, wide, stride, sides)
+            index = (r + local[:, 0]) * self._columns + c + local[:, 1]
+            self._made[key] = (index + self._below * local[:, 2]).astype("i4")
+        return self._made[key]
 
     def draw(self, program: moderngl.Program) -> None:
         """Draws the tiles chosen last."""
@@ -73,12 +86,19 @@ class Ground:
         self._mesh.release()
 
 
-def _off(tile: np.ndarray, stride: int) -> tuple[float, float]:
-    """How far a tile (R, C, 9) is off where it is drawn with a stride: in height [m], and in what else is allowed."""
-    kept = [np.unique(np.append(np.arange(0, n - 1, stride), n - 1)) for n in tile.shape[:2]]
-    down, across = (_blend(n, some) for n, some in zip(tile.shape[:2], kept, strict=True))
-    off = np.abs(np.einsum("ra,abk,cb->rck", down, tile[np.ix_(*kept)], across) - tile).max(axis=(0, 1))
-    return float(off[2]), float(max(off[3:6].max() / OFF_NORMAL, off[6:].max() / OFF_COLOUR))
+def _alike(tiles: list[tuple[int, int, int, int]]) -> list[list[int]]:
+    """Numbers of the tiles of each size."""
+    sizes = sorted({tile[2:] for tile in tiles})
+    return [[k for k, tile in enumerate(tiles) if tile[2:] == size] for size in sizes]
+
+
+def _off(tiles: np.ndarray, stride: int) -> np.ndarray:
+    """(N, 2) how far tiles (N, R, C, 9) drawn with a stride are off: in height [m], in shares of what else is allowed."""
+    kept = [np.unique(np.append(np.arange(0, n - 1, stride), n - 1)) for n in tiles.shape[1:3]]
+    down, across = (_blend(n, some) for n, some in zip(tiles.shape[1:3], kept, strict=True))
+    drawn = np.einsum("ra,nabk->nrbk", down, tiles[:, kept[0]][:, :, kept[1]])
+    off = np.abs(np.einsum("cb,nrbk->nrck", across, drawn) - tiles).max(axis=(1, 2))
+    return np.column_stack([off[:, 2], np.maximum(off[:, 3:6].max(axis=1) / OFF_NORMAL, off[:, 6:].max(axis=1) / OFF_COLOUR)])
 
 
 def _blend(count: int, kept: np.ndarray) -> np.ndarray:
@@ -86,12 +106,19 @@ def _blend(count: int, kept: np.ndarray) -> np.ndarray:
     return np.array([np.interp(np.arange(count), kept, one) for one in np.eye(len(kept))]).T
 
 
+def _sides(level: np.ndarray) -> np.ndarray:
+    """(R, C, 4) bool: where the tile below, to the right, above, to the left is drawn otherwise, so that a skirt is needed."""
+    around = np.pad(level, 1, mode="edge")
+    beside = np.stack([around[:-2, 1:-1], around[1:-1, 2:], around[2:, 1:-1], around[1:-1, :-2]], axis=2)
+    return (beside >= 0) & (beside != level[..., None])
+
+
 @cache
-def _pattern(high: int, wide: int, stride: int) -> np.ndarray:
-    """(K, 3) corners of the triangles of a tile of so many cells: row, column, and whether it hangs."""
+def _pattern(high: int, wide: int, stride: int, sides: Sides) -> np.ndarray:
+    """(K, 3) corners of the triangles of a tile of so many cells, with skirts on some sides: row, column, whether it hangs."""
     rows, columns = (np.unique(np.append(np.arange(0, cells, stride), cells)) for cells in (high, wide))
     grid = np.stack([*np.meshgrid(rows, columns, indexing="ij"), np.zeros((len(rows), len(columns)), int)], axis=-1)
     rims = [grid[0], grid[:, -1], grid[-1, ::-1], grid[::-1, 0]]  # counter-clockwise, as seen from above
-    hung = [rim + np.array([0, 0, 1]) for rim in rims]
-    skirts = [quads(np.stack([low, rim])).reshape(-1, 3) for low, rim in zip(hung, rims, strict=True)]
+    rims = [rim for rim, hangs in zip(rims, sides, strict=True) if hangs]
+    skirts = [quads(np.stack([rim + np.array([0, 0, 1]), rim])).reshape(-1, 3) for rim in rims]
     return np.concatenate([quads(grid).reshape(-1, 3), *skirts])

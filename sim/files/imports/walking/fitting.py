@@ -23,8 +23,8 @@ STAND, REST = 0.5, 0.6
 """Seconds of standing before the first step begins, and after the last has landed."""
 PAUSE = 1.6
 """Who takes so many step times for a step stands before it."""
-CORRECTIONS, MOST_MOVED = 5, 0.08
-"""How often footsteps are moved so that the body goes where the way goes, and how far at most each time [m]."""
+CORRECTIONS, LEAST_MOVED, MOST_MOVED = 7, 0.001, 0.08
+"""How often footsteps are moved so that the body goes where the way goes, and how far at least and at most each time [m]."""
 SWING, LAP = 0.3, 0.04
 """A swing lasts so long [s] at least, where both feet then still stand together for so long."""
 
@@ -71,9 +71,11 @@ def _moved(taken: list[Tread], course: Course, motion: Motion) -> list[Tread]:
             off[k] = course.at(tread.over) - scratch[0, :2]
     around = np.pad(off, ((1, 1), (0, 0)), mode="edge")
     off = 0.25 * around[:-2] + 0.5 * off + 0.25 * around[2:]
-    off *= np.minimum(1.0, MOST_MOVED / np.maximum(np.hypot(*off.T), 1e-9))[:, None]
+    far = np.hypot(*off.T)
+    off *= np.minimum(1.0, MOST_MOVED / np.maximum(far, 1e-9))[:, None]
+    off[far < LEAST_MOVED] = 0.0
     return [
-        tread if np.isnan(tread.over) else tread._replace(x=tread.x + x, y=tread.y + y)
+        tread if np.isnan(tread.over) or x == y == 0 else tread._replace(x=tread.x + x, y=tread.y + y)
         for tread, (x, y) in zip(taken, off.tolist(), strict=True)
     ]
 
