@@ -16,15 +16,19 @@ physics alone it would take until it has to."""
 
 @jit_borrowing
 def above_feet(biped: Dimensions, footprints: Footprints, control: np.ndarray) -> None:
-    """Fills control (6,) with the com at rest, balanced over the middles of the last two soles, no leg over its nominal."""
+    """Fills control (6,) with the com at rest, balanced over the middles of the last two soles, no leg over its nominal.
+
+    After a hop on one foot it is the last sole alone.
+    """
     n, position = len(footprints.side), footprints.position
-    yaw = 0.5 * (footprints.heading[n - 2] + footprints.facing[n - 2] + footprints.heading[n - 1] + footprints.facing[n - 1])
+    older = n - 1 if footprints.side[n - 2] == footprints.side[n - 1] else n - 2
+    yaw = 0.5 * (footprints.heading[older] + footprints.facing[older] + footprints.heading[n - 1] + footprints.facing[n - 1])
     turn, roll = pelvis_at(biped, footprints, footprints.contact_time[n - 1])
     control[:] = 0.0
     for axis in range(2):
-        control[axis] = 0.5 * (position[n - 2, axis] + position[n - 1, axis])
+        control[axis] = 0.5 * (position[older, axis] + position[n - 1, axis])
     control[2] = np.inf
-    for i in range(n - 2, n):
+    for i in range(older, n):
         ankle = foot.stance_ankle(biped, footprints, i, 0.0)
         hip = foot.hip_offset(biped, footprints.side[i], yaw + turn, roll)
         x, y = control[0] + hip[0] - ankle[0], control[1] + hip[1] - ankle[1]

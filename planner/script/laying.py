@@ -102,11 +102,12 @@ def lay_steps(
     for k in range(2, n):
         step = step_in(steps[k - 2])
         take_step(biped, world, footprints, k, Wish(step, step.heading, UNHURRIED, False, False), 0.0)
-    footprints.roll[n - 2 : n, 1] = 0.5
+    stands = n - 1 if footprints.side[n - 1] == footprints.side[n - 2] else n - 2  # after a hop on one foot
+    footprints.roll[stands:n, 1] = 0.5
     if not np.isnan(support):
         footprints.roll[2:n] = support
     end = footprints.contact_time[n - 1] + rest
-    footprints.stance_time[n - 2 : n] = end + STAND_TIME - footprints.contact_time[n - 2 : n]
+    footprints.stance_time[stands:n] = end + STAND_TIME - footprints.contact_time[stands:n]
     for k in range(2, n):
         lay_swing(biped, world, footprints, k)
 

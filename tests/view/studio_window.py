@@ -10,55 +10,11 @@ import numpy as np
 import pytest
 
 from sim.files.studio.document import Spot, footprint_at, footprints_in
+from sim.files.studio.keeping import Opened
 from sim.view.graphics import gl
+from tests.view.studio_hand import Hand
 
 FIGURE_1 = ((1.5, 4.1), (1.5, 3.9), (1.95, 4.1), (2.4, 3.9), (2.95, 3.93), (3.4, 4.1), (3.85, 3.9), (3.85, 4.1))
-
-
-class Hand:
-    """Mouse and keys."""
-
-    def __init__(self, studio, pygame):
-        self.studio, self.pygame, self.desk = studio, pygame, studio.desk
-        self.place = (0, 0)
-
-    def frames(self, count=1):
-        for _ in range(count):
-            self.studio.frame(1 / 60)
-
-    def key(self, name, mod=0):
-        pg = self.pygame
-        code = pg.key.key_code(name)
-        for kind in (pg.KEYDOWN, pg.KEYUP):
-            text = name if len(name) == 1 and not mod else ""
-            self.studio.handle(pg.event.Event(kind, key=code, mod=mod, unicode=text))
-        self.frames()
-
-    def move(self, x, y):
-        self.place = (int(x), int(y))
-        self.studio.handle(self.pygame.event.Event(self.pygame.MOUSEMOTION, pos=self.place, rel=(1, 1), buttons=(0, 0, 0)))
-        self.frames()
-
-    def press(self, button=1):
-        self.studio.handle(self.pygame.event.Event(self.pygame.MOUSEBUTTONDOWN, pos=self.place, button=button))
-        self.frames()
-
-    def release(self, button=1):
-        self.studio.handle(self.pygame.event.Event(self.pygame.MOUSEBUTTONUP, pos=self.place, button=button))
-        self.frames()
-
-    def click(self, x, y, button=1):
-        self.move(x, y), self.press(button), self.release(button)
-
-    def drag(self, start, end, steps=6):
-        self.move(*start), self.press()
-        for share in np.linspace(0, 1, steps + 1)[1:]:
-            self.move(*(np.array(start) + share * (np.array(end) - np.array(start))))
-        self.release()
-
-    def on_plan(self, x, y):
-        """Where a place of the world is in the plan."""
-        return self.studio.views.plan.project(np.array([[x, y, 0.0]]))[0]
 
 
 @pytest.fixture(scope="module")
@@ -230,6 +186,26 @@ def test_a_cure_takes_what_it_says(hand):
     assert debt_with(desk, cured, cured.cures[0].edit) <= 0.7 * cured.debt
     desk.do(cured.cures[0].edit)
     assert not desk.fault
+
+
+def test_keys_wait_for_the_answer_to_a_question(hand):
+    hand.studio.menus._question, tool = "Sure?", hand.desk.tool
+    hand.frames(3)
+    hand.key("n")
+    assert hand.desk.tool == tool
+    width, height = hand.studio.screen.size
+    hand.click(0.5 * width - 49, 0.5 * height + 10)  # yes
+    hand.frames(3)
+    hand.key("n")
+    assert hand.studio.menus._question == "" and hand.desk.tool != tool
+
+
+def test_another_document_is_shown_whole_wherever_one_looked_before(hand):
+    build(hand)
+    hand.studio.views.plan.centre = np.array([50.0, 50.0])
+    hand.desk.take(Opened(hand.desk.document, None))
+    hand.frames(2)
+    assert np.hypot(*(hand.studio.views.plan.centre - np.mean(FIGURE_1, axis=0))) < 1.0
 
 
 def test_it_draws_at_all_sizes(hand):

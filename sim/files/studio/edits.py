@@ -94,7 +94,11 @@ class Move:
 
     def apply(self, document: Document) -> Document:
         dx, dy = self.by
-        return each(document, self.spots, lambda one: {"position": (one.position[0] + dx, one.position[1] + dy)})
+
+        def moved(one: Footprint) -> dict[str, Any]:  # to a nanometre: sums of decimals are none
+            return {"position": (round(one.position[0] + dx, 9), round(one.position[1] + dy, 9))}
+
+        return each(document, self.spots, moved)
 
 
 @dataclass(frozen=True)

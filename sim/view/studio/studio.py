@@ -50,7 +50,8 @@ class Studio:
             self._mouse(event, io)
         elif event.type in (pg.KEYDOWN, pg.KEYUP, pg.TEXTINPUT):
             typed_into(io, event, pg)
-            if event.type == pg.KEYDOWN and not io.want_text_input:
+            asks = imgui.is_popup_open("", imgui.PopupFlags_.any_popup)
+            if event.type == pg.KEYDOWN and not (io.want_text_input or asks):  # who is asked something answers that first
                 self._key(event)
 
     def _key(self, event: Any) -> None:

@@ -5,6 +5,7 @@ import pytest
 from scipy.interpolate import CubicHermiteSpline
 
 from motion.characters.character import load_character
+from motion.motion import solve
 from planner.script.footprint import Footprint
 from planner.script.laying import laid
 from planner.script.path import Path, footprints_along, hermite_path
@@ -47,3 +48,11 @@ def test_standing_needs_both_feet_down():
     hop = [Footprint(side=s, position=(x, 2.0), stand=w) for s, x, w in (("left", 1, 0), ("right", 1, 0), ("right", 1.5, 1))]
     with pytest.raises(InputError, match=r"footprint.2.stand"):
         laid(hop, HUMAN)
+
+
+def test_a_hop_may_be_the_last_step():
+    """One then stands on that foot alone, above it; it was refused, as if the foot had still to stand where it left."""
+    feet = [("left", 0.0, 0.06), ("right", 0.0, -0.06), ("left", 0.45, 0.06), ("left", 0.9, 0.03)]
+    motion = solve(laid([Footprint(side=side, position=(x, y)) for side, x, y in feet], HUMAN), HUMAN)
+    end = motion.pose(motion.end)
+    assert end.contact[0].tolist() == [True, False] and np.hypot(*(end.com[0, :2] - (0.9, 0.03))) < 0.02

@@ -184,11 +184,13 @@ class Menus:
     def _name(self, desk: Desk) -> None:
         """A file's name, typed."""
         imgui.text("Name of the file")
+        if imgui.is_window_appearing():
+            imgui.set_keyboard_focus_here()
         changed, text = imgui.input_text("##name", self._typed or "", imgui.InputTextFlags_.enter_returns_true)
         self._typed = text
         done = imgui.button("ok", (90, 0)) or changed
         imgui.same_line()
-        if imgui.button("cancel", (90, 0)) or done:
+        if imgui.button("cancel", (90, 0)) or imgui.is_key_pressed(imgui.Key.escape) or done:
             name, what, self._typed = self._typed or "", self._then, None
             imgui.close_current_popup()
             if done and name:

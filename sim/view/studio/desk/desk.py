@@ -76,6 +76,7 @@ class Desk:
     """What is on the desk."""
 
     opened: Opened = field(default_factory=lambda: Opened(new_document(), None))
+    taken: int = 0  # so many documents have been put on the desk
 
     def __post_init__(self) -> None:
         self.shown, self.playing, self.tool = Shown(), Playing(), SELECT
@@ -89,6 +90,7 @@ class Desk:
         """Puts another document on the desk. Raises InputError."""
         world = keeping.world_for(opened.document, opened.path)
         self.show = Rehearsal(opened.document.tracks, world)
+        self.taken += 1
         self.opened, self.history, self.fault = opened, begun(opened.document), ""
         self.selection, self.track, self.path = set[Spot](), 0, -1
         self._preview: tuple[str, Document] | None = None

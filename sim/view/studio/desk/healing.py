@@ -91,7 +91,7 @@ def _place(desk: Desk, debts: Debts, t: float, kind: int) -> Place:
     laid = desk.act(desk.track).laid
     contact = laid.footprints.contact_time[laid.row]
     number = max(int((contact <= t + 1e-9).sum()) - 1, 0)
-    words = f"{t:.2f} s {WORDS[kind]}"
+    words = f"at {t:.2f} s: {WORDS[kind]}"
     return Place(t, kind, number, words, debts.total(t - AROUND, t + AROUND), candidates(desk, number, kind))
 
 

@@ -132,7 +132,7 @@ def moving(desk: Desk, spot: Spot, place: np.ndarray) -> Grip:
 
     def pull(ground: Ground, _: tuple[float, float]) -> Edit:
         spots = desk.spots if spot in desk.selection else (spot,)
-        return Move(spots, (ground[0] - float(place[0]), ground[1] - float(place[1])))
+        return Move(spots, (round(ground[0] - float(place[0]), 4), round(ground[1] - float(place[1]), 4)))
 
     return Grip("move it", spot, pull)
 

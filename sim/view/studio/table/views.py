@@ -40,7 +40,7 @@ class Views:
         self.drag: Drag | None = None
         self.hovered: Spot | None = None
         self._known: list[tuple[Track, object]] = []
-        self._framed = False
+        self._framed = 0  # the document that was shown whole, by how many there were
         self._com: np.ndarray | None = None
         self._time = 0.0
 
@@ -94,8 +94,8 @@ class Views:
     def draw(self, draw: imgui.ImDrawList, desk: Desk, layout: Layout, picture: Any, hints: bool) -> None:
         """One frame: the picture of space lies under its marks."""
         shown = self.canvases(layout)
-        if not self._framed:
-            self._framed = True
+        if self._framed != desk.taken:
+            self._framed = desk.taken
             self.frame(desk, layout.scale)
             self.space.look()
         for canvas in shown:
@@ -106,7 +106,7 @@ class Views:
             elif picture is not None:
                 draw.add_image(picture, (box.x, box.y), (box.x + box.width, box.y + box.height), (0, 1), (1, 0))
             self._marks(Pen(draw, canvas, layout.scale), desk)
-            if hints:
+            if hints and canvas is shown[0]:
                 self._hint(draw, canvas, desk, layout.scale)
             draw.pop_clip_rect()
 
