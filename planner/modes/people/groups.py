@@ -13,7 +13,7 @@ ABREAST = 0.75
 """Metres between two who walk side by side."""
 PULL, MOST = 0.5, 0.6
 """Share of the way to its place that one is drawn by, per metre, and at most: in the unit of its course."""
-AHEAD, CALM, SLOWER, SLOWEST = 0.1, 0.75, 0.5, 0.45
+AHEAD, CALM, SLOWER, SLOWEST = 0.1, 0.75, 1.0, 0.35
 """Who is further ahead of the middle than AHEAD [m] takes steps of CALM of its own, SLOWER less for each metre, at least
 SLOWEST: a wish that is hardly shorter than one's own step is none among others (planner.crowd.avoiding)."""
 LOST = 12.0
