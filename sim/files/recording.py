@@ -12,6 +12,7 @@ import numpy as np
 from motion.characters.character import Character, character_names, load_character
 from motion.pose.pose import Pose
 from motion.track.footprints import Footprints
+from planner.script.shaping import Style
 from planner.script.turned import BoneKey
 from sim.files import archive
 from sim.files.frames import Frames
@@ -83,6 +84,7 @@ class Recorder:
             "rate": sim.tick_rate,
             "characters": [character.to_dict() for character in sim.first_characters],
             "hand_keys": [[key._asdict() for key in sim.hand_keys(c)] for c in range(len(sim.characters))],
+            "styles": [sim.style(c) for c in range(len(sim.characters))],
             "looks": [character.look.model_dump(mode="json") for character in sim.first_characters],
             "world": sim.world.to_dict(heights=False),
             "first_world": None if sim.world is sim.first_world else sim.first_world.to_dict(heights=False),
@@ -184,6 +186,11 @@ class Recording:
             if f"footprint_{name}" in self.arrays:
                 column[...] = self.arrays[f"footprint_{name}"][mine]
         return found
+
+    def style(self, c: int) -> Style:
+        """How character c carried itself in a scene."""
+        styles = self.meta.get("styles")
+        return Style(**styles[c]) if styles else Style()
 
     def hand_keys(self, c: int) -> list[BoneKey]:
         """The hand keys of character c: its bones are those of its poses, turned by them."""

@@ -11,6 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from motion.pose.pose import Pose
 from motion.track.footprints import Footprints
 from planner.round.refusals import LONGEST, TURNED
+from planner.script.shaping import Style
 from sim.files.archive import Arrays
 from sim.rows.crowd import REAL, Crowd
 from sim.stage.asked import MOST_CHARACTERS, MOST_SEED, RATES
@@ -92,6 +93,7 @@ class RunMeta(BaseModel):
     characters: Annotated[list[Plain], Field(min_length=1, max_length=MOST_CHARACTERS)]
     looks: list[Plain] | None = None
     hand_keys: list[list[_Key]] | None = None
+    styles: list[Style] | None = None
     world: Plain
     first_world: Plain | None = None
     changes: list[_Change] = []
@@ -194,6 +196,8 @@ def check_run(arrays: Arrays, meta: RunMeta) -> None:
         raise ValueError("time: must ascend")
     if meta.looks is not None and len(meta.looks) != count:
         raise ValueError(f"meta.looks: {len(meta.looks)} for {count} characters")
+    if meta.styles and len(meta.styles) != count:
+        raise ValueError(f"meta.styles: {len(meta.styles)} for {count} characters")
     if meta.hand_keys and len(meta.hand_keys) != count:
         raise ValueError(f"meta.hand_keys: {len(meta.hand_keys)} for {count} characters")
     for c, dimensions in enumerate(meta.characters):

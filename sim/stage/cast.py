@@ -161,6 +161,10 @@ class Cast:
         """The bones of characters `rows` (C,), all of one kind, at `time` [s], with what is turned by hand."""
         return bones
 
+    def style(self, character: int) -> dict[str, float]:
+        """How a scene lets a character carry itself, as [style] says it: what is not as usual."""
+        return {}
+
     def hand_keys(self, character: int) -> Sequence[BoneKey]:
         """The keys by which bones of a character are turned by hand."""
         return ()

@@ -85,6 +85,10 @@ class Performance(Cast):
                 super().pose_into(Pose(*(column[i : i + 1] for column in pose)), time, rows[i : i + 1])
                 self.bipeds[kind] = before
 
+    def style(self, character: int) -> dict[str, float]:
+        """The [style] of a track."""
+        return self.acts[character].track.style.model_dump(exclude_defaults=True)
+
     def hand_keys(self, character: int) -> tuple[BoneKey, ...]:
         """The hand keys of a track."""
         return self.acts[character].keys

@@ -23,6 +23,7 @@ from motion.characters.dimensions import Dimensions
 from motion.track.footprints import SIDES, Footprints
 from planner.script.footprint import Footprint
 from planner.script.scene import Sheet
+from planner.script.shaping import Style
 from planner.script.track import Track
 from planner.stepping.taking import START_OVERLAP
 from planner.stepping.timing import hip_pendulum, nominal_length
@@ -52,6 +53,7 @@ class Walker(NamedTuple):
 
     character: Character
     footprints: Footprints  # (K,) by their contacts; a foot that stood on prolongs its footprint
+    style: Style = Style()
 
 
 class Run(NamedTuple):
@@ -81,7 +83,7 @@ def document_in(path: str | Path) -> Document:
 def run_of(cast: Cast, level: str | Path | None = None, kinds: Sequence[str] = ()) -> Run:
     """A live run as it stands. level, kinds: names or files of its world and characters."""
     walked = cast.walked()
-    walkers = [Walker(one, _latest(walked, c)) for c, one in enumerate(cast.characters)]
+    walkers = [Walker(one, _latest(walked, c), Style(**cast.style(c))) for c, one in enumerate(cast.characters)]
     return Run(cast.world, walkers, cast.time, _file(level), kinds)
 
 
@@ -104,7 +106,7 @@ def run_in(recording: Recording) -> Run:
     walkers = []
     for c in range(len(recording.meta["characters"])):
         for stay in recording.stays(c)[-1:]:
-            walkers.append(Walker(stay.character, recording.footprints(c, stay.recasts)))
+            walkers.append(Walker(stay.character, recording.footprints(c, stay.recasts), recording.style(c)))
     return Run(recording.world, walkers, float(recording.arrays["time"][-1]) if len(recording.arrays["time"]) else 0.0)
 
 
@@ -113,7 +115,7 @@ def document_from(run: Run, focus: int = 0) -> Document:
     chosen = _chosen(run.walkers, focus)
     if not chosen:
         raise InputError(f"{run.world.name}: nobody has walked yet; let it run for a few steps first")
-    chosen = [Walker(one.character, _standing_first(one.footprints, _since(chosen))) for one in chosen]
+    chosen = [one._replace(footprints=_standing_first(one.footprints, _since(chosen))) for one in chosen]
     begin = min(_begin(one) for one in chosen)
     tracks = [_track(one, begin, run) for one in chosen]
     first = {key: getattr(tracks[0], key) for key in Track.model_fields}
@@ -164,7 +166,7 @@ def _track(walker: Walker, begin: float, run: Run) -> Track:
     rest = run.time - float(f.contact_time[-1])
     return Track(
         character=name, character_scale=scale, footprint=tuple(prints), stand_before=_within(first.stand, 0.0),
-        stand_after=_within(rest, REST) if rest > REST else REST,
+        stand_after=_within(rest, REST) if rest > REST else REST, style=walker.style,
     )  # fmt: skip
 
 

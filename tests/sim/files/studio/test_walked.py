@@ -8,6 +8,7 @@ from planner.modes.steer import Steered
 from planner.modes.wander import Wander
 from planner.river.rock_hop import RockHop
 from planner.script.scene import load_scene
+from planner.script.shaping import Style
 from sim.files.recording import Recorder
 from sim.files.studio import walked
 from sim.files.studio.keeping import world_for
@@ -100,3 +101,15 @@ def test_what_has_not_begun_is_no_scene():
 def test_a_scene_that_is_played_is_that_scene():
     scene = load_scene("sprint")
     assert walked.document_of_cast(Performance(scene)).tracks == scene.tracks
+
+
+def test_a_recorded_scene_keeps_how_it_was_carried(tmp_path):
+    scene = load_scene("fig01_steps_and_a_hop")
+    tracks = [track.model_copy(update={"style": Style(bounce=1.4, lean_deg=8.0, heaviness=0.8)}) for track in scene.tracks]
+    show = Rehearsal(tracks, scene.world)
+    recorder = Recorder(show)
+    for k in range(int(show.end * 60)):
+        recorder.capture(k / 60)
+    recorder.save(tmp_path / "run.npz")
+    found = walked.document_in(tmp_path / "run.npz")
+    assert [track.style for track in found.tracks] == [track.style for track in tracks]
