@@ -27,3 +27,19 @@ def test_the_studio_is_driven_by_mouse_and_keys(tmp_path):
     assert ran.returncode == 0, ran.stdout[-8000:] + ran.stderr[-2000:]
     if " passed" not in ran.stdout:
         pytest.skip(f"no window here: {ran.stdout[-400:]}")
+
+
+def test_a_display_without_opengl_is_named(monkeypatch):
+    """SDL's dummy driver is one."""
+    pygame = pytest.importorskip("pygame")
+    from sim.view.graphics.gl import NoGL
+    from sim.view.studio.screen import StudioScreen
+
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    pygame.display.quit()
+    pygame.display.init()
+    try:
+        with pytest.raises(NoGL, match="OpenGL|GL"):
+            StudioScreen(pygame, (320, 200), 1.0)
+    finally:
+        pygame.display.quit()

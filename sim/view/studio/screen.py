@@ -27,7 +27,10 @@ class StudioScreen:
         self.pygame, self.size, self.scale = pygame, size, scale
         for key, value in context_attributes(pygame).items():
             pygame.display.gl_set_attribute(key, value)
-        pygame.display.set_mode(size, pygame.OPENGL | pygame.DOUBLEBUF | pygame.RESIZABLE)
+        try:
+            pygame.display.set_mode(size, pygame.OPENGL | pygame.DOUBLEBUF | pygame.RESIZABLE)
+        except pygame.error as error:  # a display without OpenGL
+            raise gl.NoGL(str(error)) from None
         pygame.display.set_caption("Footfall studio")
         self.ctx = gl.window_context()
         self.software = any(name in self.ctx.info["GL_RENDERER"] for name in SOFTWARE)
