@@ -26,6 +26,8 @@ SHORTER_BY = 0.88
 """Share of its length that a step keeps when it is not free."""
 CLAIMS = 0.4
 """Where spacing allows no step, one claims the place of a step of this share of the longest, so that others make room."""
+NARROWER = 0.95
+"""Whom one passes by is told of bodies so much narrower; that bodies do not touch is seen to afterwards (is_free)."""
 SIDLES = 0.5
 """Who stays where it is steps aside at this share of its full speed."""
 HASTE = 1.1
@@ -96,6 +98,21 @@ def _speed_in(round: Round, walker: Walker, others: Any, dx: float, dy: float) -
 
 
 @jit_borrowing
+def _room_in(walker: Walker, others: Any, step: Candidate, dx: float, dy: float) -> float:
+    """How long a step in the direction of a unit vector may be until my body rests in another's that stops [m].
+
+    step: one of no length in that direction. The body, between the feet, goes half as far as the foot.
+    """
+    x, y = 0.5 * (walker.foot_x + step.foot_x) - walker.rest_x, 0.5 * (walker.foot_y + step.foot_y) - walker.rest_y
+    room = inf
+    for i in range(len(others)):
+        way = terms.way_to(walker, others[i], others[i].rest_x - x, others[i].rest_y - y, dx, dy, NARROWER)
+        if way > 0:
+            room = min(room, way)
+    return 2 * (room + walker.squeeze)
+
+
+@jit_borrowing
 def _lay(round: Round, walker: Walker, others: Any, right: float, wished: Candidate, scratch: Scratch) -> None:
     """Fills what each direction, standing and the wish cost, and how long steps are; negative: claimed, but not taken."""
     cost, length, biped = scratch.cost, scratch.length, round.bipeds[round.kind[walker.c]]
@@ -103,7 +120,8 @@ def _lay(round: Round, walker: Walker, others: Any, right: float, wished: Candid
     for k in range(STAND):
         angle, longest = walker.course + DIRECTIONS[k], longest_in(biped, walker, k)
         speed = _speed_in(round, walker, others, cos(angle), sin(angle))
-        length[k] = min(speed * most, longest)
+        room = _room_in(walker, others, candidate(biped, walker, k, 0.0), cos(angle), sin(angle))
+        length[k] = min(speed * most, longest, max(room, least))
         if length[k] >= least:
             length[k] = min(speed * candidate(biped, walker, k, length[k]).time, length[k])
         if length[k] < least:

@@ -16,6 +16,8 @@ NEIGHBOUR = np.dtype(
         ("y", np.float64),
         ("vx", np.float64),  # velocity at which it goes on from there [m/s]
         ("vy", np.float64),
+        ("rest_x", np.float64),  # where it comes to rest if it stops, relative to that rest [m]
+        ("rest_y", np.float64),
         ("deep", np.float64),  # half axes of its body [m]
         ("wide", np.float64),
         ("face_x", np.float64),  # unit vector in which it faces
@@ -37,6 +39,8 @@ class Neighbour:
     y: float
     vx: float
     vy: float
+    rest_x: float
+    rest_y: float
     deep: float
     wide: float
     face_x: float
@@ -65,6 +69,7 @@ def see(held: Reservations, walker: Walker, aim: Place, rank: float, near: np.nd
         later = max(walker.there - path[j, rest, 2], 0.0)
         other.x, other.y = x + later * vx - walker.rest_x, y + later * vy - walker.rest_y
         other.vx, other.vy = vx, vy
+        other.rest_x, other.rest_y = path[j, rest, 0] - walker.rest_x, path[j, rest, 1] - walker.rest_y
         other.deep, other.wide = held.half[j, 0], held.half[j, 1]
         other.face_x, other.face_y = held.face[j, 0], held.face[j, 1]
         other.along = held.aim[j, 0] * aim[0] + held.aim[j, 1] * aim[1]

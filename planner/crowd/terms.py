@@ -44,7 +44,7 @@ def turned(walker: Walker, step: Candidate) -> float:
 
 
 @jit_borrowing
-def _way(walker: Walker, other: Any, px: float, py: float, dx: float, dy: float, part: float) -> float:
+def way_to(walker: Walker, other: Any, px: float, py: float, dx: float, dy: float, part: float) -> float:
     """The way [m] in direction d until my body touches the other's, which is at p; both are only `part` as wide as they are."""
     largest = max(walker.deep, walker.wide) + max(other.deep, other.wide)
     if px * dx + py * dy <= 0 or abs(px * dy - py * dx) >= largest:
@@ -65,7 +65,7 @@ def speed_behind(walker: Walker, other: Any, dx: float, dy: float, time: float, 
     time). Its pace across d, or against it, does not count: those who converge on a door would all wait for each other.
     """
     far = time * max(other.vx * dx + other.vy * dy, 0.0)
-    way = _way(walker, other, other.x + far * dx, other.y + far * dy, dx, dy, SHOULDER)
+    way = way_to(walker, other, other.x + far * dx, other.y + far * dy, dx, dy, SHOULDER)
     return inf if way == inf else max(way + walker.squeeze, 0.0) / (gap + time)
 
 
@@ -77,7 +77,7 @@ def danger(walker: Walker, other: Any, vx: float, vy: float, horizon: float, swi
     speed = hypot(wx, wy)
     if speed < 1e-9:
         return 0.0
-    time = max(_way(walker, other, other.x, other.y, wx / speed, wy / speed, 1.0), 0.0) / speed / swing
+    time = max(way_to(walker, other, other.x, other.y, wx / speed, wy / speed, 1.0), 0.0) / speed / swing
     return speed / walker.full * (1 / max(time, SOON) - 1 / horizon) if time < horizon else 0.0
 
 

@@ -130,7 +130,9 @@ def specific_flow(flow: Flow, width: float) -> float:
     return float((b - a) / max(through[b] - through[a], 1e-9) / width) if b > a + 5 else 0.0
 
 
-def counterflow(count: int, gap: float = 3.0, weights: Weights = PEOPLE, names: tuple[str, ...] = ("human",)) -> Simulation:
+def counterflow(
+    count: int, gap: float = 3.0, weights: Weights = PEOPLE, names: tuple[str, ...] = ("human",), seed: int = 1
+) -> Simulation:
     """So many a side go against each other through a gap of this width [m]: characters of these names by turns; all lengths
     are as much larger as the widest of them is wider than people."""
     kinds = [load_character(name) for name in names]
@@ -151,7 +153,7 @@ def counterflow(count: int, gap: float = 3.0, weights: Weights = PEOPLE, names: 
     world = World("counterflow", (scale * size[0], scale * size[1]), walls=walls(*lines))
     who = [kinds[c % len(kinds)] for c in range(len(begin))]
     planner = WalkTo(begin, scale * (end + (x, y))[:, None], near=1.2 * scale)
-    return Simulation(world, who, planner, 1, weights=weights)
+    return Simulation(world, who, planner, seed, weights=weights)
 
 
 def last_through(flow: Flow) -> float:

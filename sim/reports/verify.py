@@ -45,7 +45,7 @@ def cases(quick: bool) -> list[Case]:
     ]
     necks = [
         Case(f"bottleneck {width:g} m wide: flow", "1/(m s)", 1.6, 2.1, [partial(_neck, width, 50 if quick else 100)],
-             _first(partial(flows.specific_flow, width=width)), 0, "they start from standing, two steps late, as they get room",
+             _first(partial(flows.specific_flow, width=width)), 0, "two shoulders hardly pass",
              "flows", width)
         for width in NECKS
     ]  # fmt: skip

@@ -20,6 +20,8 @@ LONGEST = 400.0
 """No case takes longer [s]."""
 KINDS = {"people": ("human",), "birds": ("bird",), "dinosaurs": ("dinosaur",), "people and birds": ("human", "bird")}
 """Who goes against each other."""
+SEEDS = 10
+"""Chance is asked so often."""
 EACH, APART = 100, 0.9
 """So many on a circle, and how far from each other [m]."""
 
@@ -41,8 +43,8 @@ def _neck(width: float, count: int, neck: float, weights: Weights) -> Flow:
 
 
 @lru_cache(1)
-def _against(count: int, names: tuple[str, ...], weights: Weights) -> Flow:
-    sim = flows.counterflow(count, 3.0, weights, names)
+def _against(count: int, names: tuple[str, ...], weights: Weights, seed: int = 1) -> Flow:
+    sim = flows.counterflow(count, 3.0, weights, names, seed)
     return flows.watched(sim, LONGEST, sim.world.size[0] / 2)
 
 
@@ -79,6 +81,9 @@ def cases() -> list[Case]:
              lambda all: figures.still_longest(all[0]) if np.isfinite(last_across(all[0])) else np.inf),
         *(Case(f"counterflow, 30 {who} a side: longest standstill", "s", 0.0, 15.0, [partial(_against, 30, names)],
                lambda all: _stands(all[0])) for who, names in KINDS.items()),
+        Case(f"counterflow, 60 a side, {SEEDS} seeds: longest standstill", "s", 0.0, 15.0,
+             [partial(_against, 60, ("human",), seed=seed) for seed in range(1, SEEDS + 1)],
+             lambda all: max(_stands(flow) for flow in all)),
         Case("counterflow, 250 a side: last through", "s", 0.0, 200.0, [many], lambda all: flows.last_through(all[0])),
         Case("counterflow, 250 a side: longest standstill", "s", 0.0, 15.0, [many], lambda all: _stands(all[0])),
     ]  # fmt: skip

@@ -82,7 +82,7 @@ def waiting(hindered=0, side=0, course=0.0):
 
 def other(x, y, vx=0.0, vy=0.0, along=1.0, claim=(np.inf, np.inf), rank=0.0):
     """Another one, at x, y from there."""
-    return np.array([(x, y, vx, vy, 0.15, 0.25, 1.0, 0.0, along, *claim, rank)], NEIGHBOUR)
+    return np.array([(x, y, vx, vy, x, y, 0.15, 0.25, 1.0, 0.0, along, *claim, rank)], NEIGHBOUR)
 
 
 def test_progress_is_lost_by_what_lacks_of_the_full_speed_on_the_course():

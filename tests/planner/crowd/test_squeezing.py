@@ -1,0 +1,50 @@
+"""What keeps a throng going: whom one does not slow down for, how long a step may be, and who presses on."""
+
+import numpy as np
+import pytest
+
+from motion.track.footprints import Feet, Foot
+from planner.crowd import terms
+from planner.crowd.bodies import gap_between
+from planner.crowd.candidates import candidate
+from planner.crowd.choosing import _room_in
+from planner.crowd.walker import PRESSED, SQUEEZE, walker_of
+from planner.round.round import Me
+from tests.planner.crowd.test_avoiding import around, nothing_held
+from tests.planner.crowd.test_terms import LONG, B, other, waiting
+from worlds.world import World
+
+
+def speed(me, one):
+    """That one may go straight on at behind another."""
+    return terms.speed_behind(me, one[0], 1.0, 0.0, 0.5, 0.6)
+
+
+def test_a_pace_across_the_way_does_not_count():
+    assert speed(waiting(), other(1.2, 0.0, 0.0, -1.0)) == speed(waiting(), other(1.2, 0.0))
+
+
+def test_the_edge_of_a_shoulder_is_passed_by():
+    assert speed(waiting(), other(1.0, 0.46)) == np.inf > speed(waiting(), other(1.0, 0.4))
+
+
+def test_a_step_is_as_long_as_the_body_comes_to_rest_where_it_touches_who_stops():
+    me = waiting()._replace(foot_x=5.0, foot_y=4.93, side=0)
+    long = _room_in(me, other(0.7, 0.0), candidate(B, me, 0, 0.0), 1.0, 0.0)
+    step = candidate(B, me, 0, long)
+    x, y = 0.5 * (me.foot_x + step.foot_x) - me.rest_x, 0.5 * (me.foot_y + step.foot_y) - me.rest_y
+    assert long > 0.3 and gap_between(LONG, (1.0, 0.0), LONG, (1.0, 0.0), 0.7 - x, -y) == pytest.approx(0, abs=2e-3)
+    assert _room_in(me, other(-0.7, 0.0), candidate(B, me, 0, 0.0), 1.0, 0.0) == np.inf, "who is behind is in nobody's way"
+
+
+def test_who_has_long_stood_presses_into_the_room_that_bodies_keep():
+    feet = Feet(Foot(0, 5.0, 5.07, 0.0, 0.0, 0.5), Foot(1, 5.0, 4.93, 0.0, 0.5, 0.5))
+    held = nothing_held(1)
+    round = around(held, World("plain", (12.0, 12.0)))
+    pressed = []
+    for stood in (0, PRESSED // 2, PRESSED, 3 * PRESSED):
+        round.intents.stood[0] = stood
+        pressed.append(walker_of(round, Me(0, 3, True, 0, feet), 0.0).squeeze)
+    np.testing.assert_allclose(pressed, SQUEEZE * held.half[0, 0] * np.array([0, 0.5, 1, 1]))
+    touching = other(0.25, 0.0)
+    assert speed(waiting(), touching) == 0 < speed(waiting()._replace(squeeze=0.08), touching)
