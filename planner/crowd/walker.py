@@ -13,8 +13,11 @@ from worlds.compiled.jit import jit_borrowing
 
 SQUEEZE, PRESSED = 0.25, 20
 """Who was left nothing but to stand so often in a row presses so far into the room that bodies keep, in half depths of
-its own; less before. So an arch
-before a door gives way, as it does where people push."""
+its own; less before. So an arch before a door gives way, as it does where people push."""
+
+
+NEAREST = 0.95
+"""Who is nearer to a tree, wall or border than half its width, as bodies sway, comes no nearer than this share of it."""
 
 
 class Walker(NamedTuple):
@@ -49,6 +52,12 @@ class Walker(NamedTuple):
 
 
 @jit_borrowing
+def _margin(half: float, room: float) -> float:
+    """What a step keeps from trees, walls and borders [m] where there is so much room: a centimetre less, but not each time."""
+    return min(half, room, max(room - 0.01, NEAREST * half)) - 1e-9
+
+
+@jit_borrowing
 def walker_of(round: Round, me: Me, course: float) -> Walker:
     """Me among others, on a wished course [rad]."""
     biped, older, newer, held = biped_of(round, me), me.feet.older, me.feet.newer, round.reservations
@@ -63,7 +72,7 @@ def walker_of(round: Round, me: Me, course: float) -> Walker:
     squeeze = SQUEEZE * min(round.intents.stood[me.c] / PRESSED, 1.0) * deep
     return Walker(
         me.c, 1 - newer.side, newer.x, newer.y, x, y, newer.heading, rest_x, rest_y, contact, contact + lag(biped), overlap,
-        min(half, room - 0.01), full, False, 0.0, 0.0, me.hindered, course, cos(facing), sin(facing), deep, wide, squeeze, room,
+        _margin(half, room), full, False, 0.0, 0.0, me.hindered, course, cos(facing), sin(facing), deep, wide, squeeze, room,
         careful,
     )  # fmt: skip
 
