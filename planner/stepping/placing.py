@@ -158,9 +158,11 @@ def is_level(biped: Dimensions, world: WorldArrays, footprints: Footprints, befo
 
 
 @jit_borrowing
-def _below(world: WorldArrays, x: float, y: float, rim: float) -> float:
-    """Height of the ground [m] where rocks are wider by `rim`."""
+def _below(world: WorldArrays, x: float, y: float, rim: float, highest: float) -> float:
+    """Height of the ground [m] where rocks are wider by `rim`, but for those above `highest`: feet go by beside them."""
     rock, height = queries.rock_under(world, x, y, -rim), queries.terrain_height(world, x, y)
+    if rock >= 0 and world.rocks[rock, 3] > highest:
+        return queries.ground_height(world, x, y)
     return max(height, world.rocks[rock, 3]) if rock >= 0 else height
 
 
@@ -186,6 +188,7 @@ def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before:
     level = is_level(biped, world, footprints, before, after)
     lift = clearance = biped.gait.clearance if level else max(biped.gait.clearance, ROUGH * biped.foot.length)
     samples = LEVEL_SAMPLES if level else SAMPLES
+    highest = max(footprints.position[before, 2], footprints.position[after, 2]) + biped.reach.max_rise
     deep = 0.0 if level else max(_depth(biped, world, footprints, before), _depth(biped, world, footprints, after))
     for k in range(1, samples):
         s = k / samples
@@ -193,7 +196,7 @@ def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before:
         rise = swing.bump(s)
         for forward, bend in ((back, sole.pitch), (0.0, 0.0), (ahead, sole.pitch - sole.flex)):
             p = swing.point_of_foot(sole, forward, 0.0, bend)
-            ground = 0.0 if level else _below(world, p[0], p[1], RIM * rise)
+            ground = 0.0 if level else _below(world, p[0], p[1], RIM * rise, highest)
             lack = ground + clearance * rise - p[2] - (1 - rise) * deep
             lift = max(lift, min(lack / rise, most))
     return lift
