@@ -210,26 +210,38 @@ def optimise_window(
     problem, stand = lay_window(biped, footprints, committed.time[end])
     found = np.zeros((len(problem.time), 6))
     begin_window(biped, footprints, problem, found, committed, up_to(window, points - 1))
-    e, iterations = _solve(problem, found, effort)
-    for i in range(len(found)):
-        window.time[i] = problem.time[i]
-        for k in range(6):
-            window.control[i, k] = found[i, k]
-    for i in range(len(stand)):
-        window.support[i, 0], window.support[i, 1] = stand[i, 0], stand[i, 1]
+    e, iterations = minimise_hard(problem, found, effort)
+    if is_hard(problem, e, effort):
+        e, more = _begin_anew(problem, found, e)
+        iterations += more
+    put_window(window, problem, found, stand)
     return len(found), Solved(e, iterations)
 
 
+@jit_borrowing
+def put_window(window: Curve, problem: Problem, control: np.ndarray, support: np.ndarray) -> None:
+    """What was found, control (m + 1, 6) and support (m, 2), into the first rows of a window; a slice compiles for long."""
+    for i in range(len(control)):
+        window.time[i] = problem.time[i]
+        for k in range(6):
+            window.control[i, k] = control[i, k]
+    for i in range(len(support)):
+        window.support[i, 0], window.support[i, 1] = support[i, 0], support[i, 1]
+
+
+@jit_borrowing
+def is_hard(problem: Problem, e: float, effort: Effort) -> bool:
+    """Whether a window costs more than those of a walk do."""
+    return e > effort.hard * (problem.time[-1] - problem.time[0])
+
+
 @jit
-def _solve(problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float, int]:
+def minimise_hard(problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float, int]:
+    """newton.minimise, and more effort where that leaves the window hard; returns (E, iterations)."""
     e, iterations = newton.minimise(problem, control, effort)
-    limit = effort.hard * (problem.time[-1] - problem.time[0])
-    if e > limit:
+    if is_hard(problem, e, effort):
         e, more = newton.minimise(problem, control, newton.HARDER)
         iterations += more
-        if e > limit:
-            e, more = _begin_anew(problem, control, e)
-            iterations += more
     return e, iterations
 
 

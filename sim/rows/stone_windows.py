@@ -10,11 +10,10 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.characters.dimensions import Dimensions
-from motion.com import newton
 from motion.com.newton import Effort
 from motion.com.problem import Problem
 from motion.com.standing import above_feet
-from motion.com.window import lay_window
+from motion.com.window import lay_window, minimise_hard, put_window
 from motion.track.curve import Curve, end_acceleration, evaluate, up_to
 from motion.track.footprints import Footprints
 from sim.rows.crowd import TENTATIVE, commit, committed_of, footprints_of
@@ -103,16 +102,6 @@ def begin_on_stones(
 
 
 @jit
-def _solve(problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float, int]:
-    """(E, iterations); what has stayed beyond `hard` [m/s^2] is not given up at once."""
-    e, iterations = newton.minimise(problem, control, effort)
-    if e > effort.hard * (problem.time[-1] - problem.time[0]):
-        e, more = newton.minimise(problem, control, newton.HARDER)
-        iterations += more
-    return e, iterations
-
-
-@jit
 def _optimise(
     biped: Dimensions, footprints: Footprints, committed: Curve, window: Curve, points: int, effort: Effort
 ) -> tuple[int, float, int]:
@@ -120,9 +109,8 @@ def _optimise(
     problem, stand = lay_window(biped, footprints, committed.time[-1])
     found = np.zeros((len(problem.time), 6))
     begin_on_stones(biped, footprints, problem, found, committed, up_to(window, points - 1))
-    e, iterations = _solve(problem, found, effort)
-    window.time[: len(found)], window.control[: len(found)] = problem.time, found
-    window.support[: len(stand)] = stand
+    e, iterations = minimise_hard(problem, found, effort)  # what stays hard is not begun anew: it never was a walk
+    put_window(window, problem, found, stand)
     return len(found), e, iterations
 
 
