@@ -12,10 +12,10 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from motion.characters.character import Character
-from motion.track.footprints import LEFT, RIGHT, SIDES, Footprints, outward
+from motion.track.footprints import LEFT, RIGHT, SIDES, Footprints
 from planner.round.kernel import Planning
 from planner.round.refusals import TURNED
-from planner.stepping.beside import beside
+from planner.stepping.beside import beside, sole_heading
 from planner.stepping.footing import FINE, WORDS, why_not_stand
 from worlds import queries
 from worlds.errors import InputError
@@ -151,7 +151,7 @@ def fault_of_place(world: World, character: Character, place: Sequence[float]) -
         near = f"{room:.2f} m to the border, a tree or a wall, {biped.body.radius:g} m or more is needed"
         return f"no room for the body of the {character.name}: {near}"
     for side in (LEFT, RIGHT):
-        sole = heading + outward(side, biped.gait.toe_out)
+        sole = sole_heading(biped, side, heading)
         why = why_not_stand(biped, world.arrays, *beside(biped, side, (x, y), heading), sole)
         if why != FINE:
             return f"the {SIDES[side]} foot of the {character.name} {WORDS[why]}"

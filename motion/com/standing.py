@@ -8,6 +8,7 @@ from motion.track import foot
 from motion.track.footprints import Footprints
 from motion.track.pelvis import pelvis_at
 from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.tables import newest
 
 SETTLES = 2.0
 """Pendulum times after its last step in which a body comes to rest: any force within the cone of its two legs is free, so by
@@ -48,9 +49,8 @@ def settling(biped: Dimensions, footprints: Footprints, time: np.ndarray, stiffn
         last -= 1
     above_feet(biped, footprints, rest)
     settled = footprints.contact_time[last] + SETTLES * pendulum_time(biped.leg.nominal_length)
-    first = int(np.searchsorted(time, settled))
     for i in range(len(time)):
         out[i, 0], out[i, 4] = time[i], stiffness
         for axis in range(3):
             out[i, 1 + axis] = rest[axis]
-    return out[first:]
+    return out[newest(time, settled) + 1 :]

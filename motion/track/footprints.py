@@ -119,6 +119,11 @@ def walker_heading(footprints: Footprints, n: int) -> float:
     return footprints.heading[n] - footprints.toe_out[n]
 
 
+def walker_headings(footprints: Footprints) -> np.ndarray:
+    """walker_heading of each footprint, in whatever shape of rows they come [rad]."""
+    return np.asarray(footprints.heading - footprints.toe_out)
+
+
 @jit_borrowing
 def _foot(footprints: Footprints, n: int) -> Foot:
     return Foot(

@@ -16,14 +16,14 @@ import numpy as np
 
 from motion.arithmetic.angles import wrapped
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import Foot, outward
+from motion.track.footprints import Foot
 from planner.crowd.bodies import gap_between
 from planner.crowd.walker import Walker
 from planner.round import reservations
 from planner.round.round import Round
 from planner.round.soles import sole_of
 from planner.stepping import timing
-from planner.stepping.beside import Place, beside
+from planner.stepping.beside import Place, beside, sole_heading
 from planner.stepping.footing import FINE, why_not_step
 from planner.stepping.steering import free_way
 from worlds import queries
@@ -137,8 +137,8 @@ def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> 
     """Whether a step keeps off all that the others hold; where bodies are too close already, it may part them."""
     held = round.reservations
     rest_x, rest_y = 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y)
-    toe_out = outward(walker.side, round.bipeds[round.kind[walker.c]].gait.toe_out)
-    sole = sole_of(held.sole, walker.c, step.foot_x, step.foot_y, step.heading + toe_out)
+    heading = sole_heading(round.bipeds[round.kind[walker.c]], walker.side, step.heading)
+    sole = sole_of(held.sole, walker.c, step.foot_x, step.foot_y, heading)
     facing, face = 0.5 * (walker.heading + step.heading), (walker.face_x, walker.face_y)
     turned = (cos(facing), sin(facing))
     far = walker.wide + hypot(rest_x - walker.rest_x, rest_y - walker.rest_y) + walker.full * step.time

@@ -5,7 +5,7 @@ from math import hypot
 import numpy as np
 
 from motion.characters.character import Character
-from motion.track.footprints import Footprints, Step
+from motion.track.footprints import Footprints, Step, walker_headings
 from planner.planner import NoWay, Situation, check_goal
 from planner.river.crossing import Country
 from planner.river.queue import berths, parking
@@ -135,5 +135,5 @@ def _by_length(routes: list[list[Step]]) -> np.ndarray:
 
 def _under(feet: Footprints) -> list[Step]:
     """The two footprints (2,) that a route begins on."""
-    places = zip(feet.side.tolist(), feet.position.tolist(), (feet.heading - feet.toe_out).tolist(), strict=True)
+    places = zip(feet.side.tolist(), feet.position.tolist(), walker_headings(feet).tolist(), strict=True)
     return [Step(side, x, y, heading) for side, (x, y, _), heading in places]

@@ -9,7 +9,7 @@ import numpy as np
 
 from motion.arithmetic.angles import wrapped
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import RIGHT, Foot, Footprints, Step
+from motion.track.footprints import RIGHT, Foot, Footprints, Step, walker_headings
 from planner.planner import NoWay
 from planner.river.crossing import GOAL, START, Country, Crossing
 from planner.river.search import State
@@ -36,7 +36,7 @@ def route(country: Country, feet: Footprints, goal: Place, path: list[State] | N
     path: states that somebody else found, of the same country, to go along from where one is.
     """
     character = country.character
-    side, place, heading = int(feet.side[1]), feet.position[1], float(feet.heading[1] - feet.toe_out[1])
+    side, place, heading = int(feet.side[1]), feet.position[1], float(walker_headings(feet)[1])
     at = (float(place[0]), float(place[1]))
     crossing = Crossing(country, middle_of(character.biped, side, at, heading), START, side, goal)
     if feet.rock[1] >= 0 and len(crossing.spots.rock):

@@ -3,7 +3,7 @@
 from math import cos, sin
 
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import LEFT, Foot
+from motion.track.footprints import LEFT, Foot, outward
 from worlds.compiled.jit import jit_borrowing
 
 Place = tuple[float, float]
@@ -19,6 +19,12 @@ def _aside(biped: Dimensions, side: int, x: float, y: float, heading: float, sig
 def beside(biped: Dimensions, side: int, middle: Place, heading: float) -> Place:
     """Where foot `side` of a walker stands whose middle is there [m]."""
     return _aside(biped, side, middle[0], middle[1], heading, 1.0)
+
+
+@jit_borrowing
+def sole_heading(biped: Dimensions, side: int, heading: float) -> float:
+    """Where the sole of foot `side` points of a walker with that heading [rad]."""
+    return heading + outward(side, biped.gait.toe_out)
 
 
 @jit_borrowing

@@ -8,9 +8,9 @@ a leap, no higher than max_rise, no deeper than max_drop, over nothing that is h
 from math import cos, hypot, inf, sin
 
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import Foot, outward
+from motion.track.footprints import Foot
 from planner.round.round import Me, Round, Wish, biped_of, standing, stepping
-from planner.stepping.beside import Place, beside, middle_beside
+from planner.stepping.beside import Place, beside, middle_beside, sole_heading
 from planner.stepping.placing import EDGE, Ground, lay_sole
 from worlds import queries
 from worlds.arrays import FLAT, HILLS, SPIRAL_STAIRS, STAIRS, WorldArrays
@@ -109,7 +109,7 @@ def why_not_step(biped: Dimensions, world: WorldArrays, foot: Foot, x: float, y:
     """
     if hypot(x - foot.x, y - foot.y) > biped.reach.max_leap:
         return FAR
-    sole = heading + outward(1 - foot.side, biped.gait.toe_out)
+    sole = sole_heading(biped, 1 - foot.side, heading)
     rise = under_sole(biped, world, x, y, sole)[0] - under_sole(biped, world, foot.x, foot.y, foot.heading)[0]
     if rise > biped.reach.max_rise:
         return HIGH

@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from motion.characters.character import Character
-from motion.track.footprints import Step
+from motion.track.footprints import Step, walker_headings
 from planner.crowd.apart import what_overlaps
 from sim.stage.command import Command, check_character
 from sim.stage.simulation import Simulation
@@ -62,7 +62,7 @@ class Recast(Command):
     def _check_neighbours(self, sim: Simulation, new: Character) -> None:
         """Raises InputError where a body that is larger than before reaches into somebody beside it."""
         feet, before, now = sim.feet(), sim.characters[self.character].biped, new.biped
-        rests = np.column_stack([feet.position[:, :, :2].mean(axis=1), feet.heading[:, 1] - feet.toe_out[:, 1]])
+        rests = np.column_stack([feet.position[:, :, :2].mean(axis=1), walker_headings(feet)[:, 1]])
         mine = rests[self.character]
         near = (np.hypot(*(rests[:, :2] - mine[:2]).T) < NEAR) & sim.present()
         for c in np.flatnonzero(near):

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from motion.characters.character import Character
-from motion.track.footprints import LEFT, RIGHT, Footprints
+from motion.track.footprints import LEFT, RIGHT, Footprints, walker_headings
 from planner.crowd.apart import check_apart
 from planner.planner import Coming, Moment, Planner, Situation, checked_starts
 from planner.round.kernel import ROUND
@@ -119,7 +119,7 @@ class Simulation(Cast):
         """Rows of those who are away: they stand where they are, at rest for ever, and plan nothing."""
         curve, feet = self.crowd.committed, self.feet()
         for c in rows.tolist():
-            places = np.column_stack([feet.position[c, :, :2], feet.heading[c] - feet.toe_out[c]])
+            places = np.column_stack([feet.position[c, :, :2], walker_headings(feet)[c]])
             number = int(self.crowd.number[c])
             self.stand(c, int(feet.side[c, 1]), places)
             self.crowd.number[c], self.crowd.segments[c] = number, 1
@@ -212,7 +212,7 @@ class Simulation(Cast):
         self.characters[c] = character
         self.kinds, self.crowd.kind[:] = kinds_of(self.characters)
         self.bipeds = table_of(self.kinds)
-        self.stand_beside(c, (float(middle[0]), float(middle[1])), float(feet.heading[c, 1] - feet.toe_out[c, 1]))
+        self.stand_beside(c, (float(middle[0]), float(middle[1])), float(walker_headings(feet)[c, 1]))
         self.crowd.number[c] = number
         intents = self.crowd.intents
         intents.aim[c], intents.rank[c], intents.hindered[c], intents.stood[c] = 0.0, 0.0, 0, 0

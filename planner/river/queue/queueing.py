@@ -13,14 +13,14 @@ ways, whoever has the least to go is the first. Ashore on the other side each wa
 from math import hypot, inf
 from typing import Any, NamedTuple
 
-from motion.track.footprints import Foot, outward, step_in
+from motion.track.footprints import Foot, step_in
 from planner.river.queue.routes import Routes, empty_routes
 from planner.round.kernel import Compiled
 from planner.round.reservations import COMMITTED, TENTATIVE, Reservations, foot_is_free, lag, least_distance, line_distance
 from planner.round.round import PATIENT, UNHURRIED, Me, Round, Wish, biped_of, standing
 from planner.round.soles import sole_of
 from planner.stepping.arriving import STAND_TIME, arrive, walk_on
-from planner.stepping.beside import Place, middle_beside
+from planner.stepping.beside import Place, middle_beside, sole_heading
 from planner.stepping.footing import surely
 from planner.stepping.timing import step_timing
 from worlds.compiled.jit import jit_borrowing
@@ -117,7 +117,7 @@ def _is_clear_of(round: Round, me: Me, at: int, j: int) -> bool:
         before, step = plans.steps[c, k - 1], plans.steps[c, k]
         length, turn = hypot(step.x - before.x, step.y - before.y), abs(step.heading - before.heading)
         lands = here.time + step_timing(biped, length, 0.0, turn, step.side == before.side)[0]
-        heading = step.heading + outward(step.side, biped.gait.toe_out)
+        heading = sole_heading(biped, step.side, step.heading)
         if not foot_is_free(held, j, sole_of(held.sole, c, step.x, step.y, heading), SOLES, lands):
             return False
         x, y = _rest(plans, c, k)

@@ -7,6 +7,7 @@ from math import atan2, hypot, pi
 from types import ModuleType
 from typing import Any, NamedTuple
 
+from motion.track.footprints import walker_headings
 from sim.stage.cast import Cast
 from sim.stage.commands import steer
 from sim.stage.simulation import Simulation
@@ -70,8 +71,7 @@ class Driver:
             return False
         self._leap |= name == "space" and name not in self.held
         if name in SIDESTEPS and not self.held & set(SIDESTEPS):
-            feet = sim.feet()
-            self._facing = float(feet.heading[focus, 1] - feet.toe_out[focus, 1])
+            self._facing = float(walker_headings(sim.feet())[focus, 1])
         self.held.add(name)
         return True
 
