@@ -13,7 +13,6 @@ from gymnasium import spaces
 from pettingzoo import ParallelEnv
 
 from motion.characters.character import Character, load_character
-from motion.track.footprints import walker_headings
 from planner.planners import PLANNERS
 from sim.stage.asked import whole
 from sim.stage.learning.gym import HIGHEST_SEED
@@ -115,13 +114,13 @@ class CrowdParallelEnv(ParallelEnv):
         return sights, each(reward, float), each(there, bool), each(over & ~there, bool), {name: {} for name in now}
 
     def seen(self) -> np.ndarray:
-        """(N, OWN + EACH SEEN_OTHERS) float32, along the heading of each walker, mirrored where the right foot is next.
+        """(N, OWN + EACH SEEN_OTHERS) float32, along the heading of each newer foot, mirrored where the right foot is next.
 
         Where it goes (up to FARTHEST m away), its com and velocity, the older foot; then of the nearest others, nearest
         first: 1 where there is one, place and velocity. Metres and metres per second.
         """
         feet, com, velocity = self.sim.feet(), self.sim.com()[:, :2], self._velocity()
-        here, heading = feet.position[:, 1, :2], walker_headings(feet)[:, 1]
+        here, heading = feet.position[:, 1, :2], feet.heading[:, 1]
         mirror = np.where(feet.side[:, 1] == 0, -1.0, 1.0)
 
         def turned(way: np.ndarray) -> np.ndarray:
