@@ -12,8 +12,8 @@ import numpy as np
 
 from motion.com import cost, springs
 from motion.com import problem as problems
-from motion.com.cost import ComfortModel, Lower, PhysicsModel, Some, Three
-from motion.com.pieces import Pieces, mix_all, pieces_from, weights_at
+from motion.com.cost import ComfortModel, PhysicsModel, Some, Three
+from motion.com.pieces import Pieces, lay_jerk, mix_all, pieces_from, weights_at
 from motion.com.problem import Problem
 from motion.track.basis import ORDER, Basis, end_weight
 from motion.track.curve import Weights
@@ -132,26 +132,6 @@ def _nothing(like: Some) -> ComfortModel:
 
 
 @jit_inline
-def _identity(size: Some) -> Lower:
-    zero = 0.0 * size
-    return size, zero, size, zero, zero, size
-
-
-@jit_inline
-def _add_jerk(problem: Problem, pieces: Pieces, equations: Equations) -> Some:
-    """Adds jerk_weight |jerk|^2 of the pieces, over their time; returns it in lanes."""
-    samples, third = problem.support_point.shape[0], pieces.bend / pieces.duration
-    p = pieces.powers
-    w = (6 * third * p[0][3], 6 * third * p[1][3], 6 * third * p[2][3], 6 * third * p[3][3])
-    x, y, z = mix_all(w, pieces)
-    scale = (samples * problem.jerk_weight) * pieces.scale
-    two = 2.0 + 0.0 * scale
-    model = PhysicsModel(scale, scale, (2 * x, 2 * y, 2 * z), _identity(two))
-    _add_models(equations, scale, w, model, w, _nothing(scale))
-    return scale * (x * x + y * y + z * z)
-
-
-@jit_inline
 def _add_strength(problem: Problem, pieces: Pieces, w: Three, bends: Weights, equations: Equations) -> Some:
     """Adds what a force beyond the character's strength costs at a sample; returns it in lanes."""
     model = cost.strength_model(w, problem.strength, problem.strength_weight)
@@ -163,9 +143,8 @@ def _add_strength(problem: Problem, pieces: Pieces, w: Three, bends: Weights, eq
 def _sum_samples(problem: Problem, pieces: Pieces, i: int, eps: float, equations: Equations) -> Some:
     """Fills blocks and slopes with the models of all samples of the pieces from i on; returns their E in lanes."""
     samples = problem.support_point.shape[0]
-    equations.blocks[:] = 0.0
-    equations.slopes[:] = 0.0
-    e, gravity = _add_jerk(problem, pieces, equations), load(problem.gravity, (i,))
+    e = lay_jerk(samples * problem.jerk_weight, pieces, equations.blocks, equations.slopes)
+    gravity = load(problem.gravity, (i,))
     for j in range(samples):
         h, bends = weights_at(pieces, (j + 0.5) / samples)
         com, (x, y, z) = mix_all(h, pieces), mix_all(bends, pieces)
@@ -195,7 +174,7 @@ def _overreaches(problem: Problem, pieces: Pieces, i: int) -> bool:
 def _add_reach_at(
     problem: Problem, basis: Basis, coefficients: np.ndarray, piece: int, end: int, lane: int, equations: Equations
 ) -> float:
-    """Adds the reach penalty at one end of a piece to the blocks of its lane."""
+    """Adds the reach penalty at one end of a piece to the blocks of its lane; at most ends there is none."""
     first, x, y, z, n = basis.first[piece], 0.0, 0.0, 0.0, 0
     for k in range(ORDER):
         h = end_weight(basis, k, piece, end)
@@ -206,6 +185,8 @@ def _add_reach_at(
         (x, y, z), problem.end_origin[end, :, :, piece], problem.end_standing[end, :, piece],
         (share * limit[0], share * limit[1]), problem.comfort_weight,
     )  # fmt: skip
+    if not e > 0.0:
+        return 0.0
     for k in range(ORDER):
         h = end_weight(basis, k, piece, end)
         for axis in range(3):

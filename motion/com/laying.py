@@ -32,16 +32,15 @@ class Stance(NamedTuple):
 
     footprints: Footprints
     axis: np.ndarray  # (n, 3) of each footprint's sole, heel to toe
-    pelvis: np.ndarray  # (m * (S + 1) + 1, 3) cosine and sine of its heading, and its list, at all beginnings, samples, the end
+    pelvis: np.ndarray  # (m * (S + 1) + 1, 4) cosine, sine of its heading, of its list at all beginnings, samples, the end
 
 
 class Moment(NamedTuple):
     """A time at which feet are laid."""
 
     t: float  # [s]
-    cosine: float  # of the pelvis's heading
-    sine: float
-    roll: float  # of the pelvis [rad]
+    heading: tuple[float, float]  # cosine and sine of the pelvis's heading
+    roll: tuple[float, float]  # and of its list
     left: int  # footprint that carries the left leg, -1 for none
     right: int
 
@@ -61,10 +60,11 @@ def _stance(biped: Dimensions, footprints: Footprints, time: np.ndarray, samples
     times[k] = time[m]
     yaw = np.empty(len(times))
     heading.body_headings(biped, footprints, times, yaw)
-    pelvis, turns = np.empty((len(times), 3)), pelvis_turns(biped, footprints)
+    pelvis, turns = np.empty((len(times), 4)), pelvis_turns(biped, footprints)
     for i in range(len(times)):
-        turn, pelvis[i, 2] = pelvis_between(biped, footprints, turns, times[i])
+        turn, roll = pelvis_between(biped, footprints, turns, times[i])
         pelvis[i, 0], pelvis[i, 1] = np.cos(yaw[i] + turn), np.sin(yaw[i] + turn)
+        pelvis[i, 2], pelvis[i, 3] = np.cos(roll), np.sin(roll)
     return Stance(footprints, axis, pelvis)
 
 
@@ -92,7 +92,8 @@ def lay_samples(biped: Dimensions, footprints: Footprints, problem: Problem, sup
 
 @jit_inline
 def _moment(stance: Stance, k: int, t: float, left: int, right: int) -> Moment:
-    return Moment(t, stance.pelvis[k, 0], stance.pelvis[k, 1], stance.pelvis[k, 2], left, right)
+    pelvis = stance.pelvis
+    return Moment(t, (pelvis[k, 0], pelvis[k, 1]), (pelvis[k, 2], pelvis[k, 3]), left, right)
 
 
 @jit_inline
@@ -134,7 +135,7 @@ def _on_sole(stance: Stance, n: int, forward: float, up: float) -> Triple:
 @jit_inline
 def _origin(biped: Dimensions, stance: Stance, n: int, leg: int, moment: Moment, u: float) -> Triple:
     """Ankle of the foot on footprint n at share u of its stance (motion.track.foot.stance_ankle), minus the hip's offset."""
-    hip = foot.hip_toward(biped, leg, moment.cosine, moment.sine, moment.roll)
+    hip = foot.hip_toward(biped, leg, moment.heading, moment.roll)
     forward, up = foot.ankle_of(biped, stance.footprints, n, u)
     return minus(_on_sole(stance, n, forward, up), hip)
 

@@ -35,15 +35,19 @@ sqrt(g l), where it lands and where it leaves; the least that it has."""
 @jit_borrowing
 def hip_offset(biped: Dimensions, leg: int, yaw: float, roll: float) -> Triple:
     """Hip relative to the com, in the world, for a pelvis heading yaw, its left side up by roll [rad] (motion.track.pelvis)."""
-    return hip_toward(biped, leg, cos(yaw), sin(yaw), roll)
+    return hip_toward(biped, leg, (cos(yaw), sin(yaw)), (cos(roll), sin(roll)))
 
 
 @jit_borrowing
-def hip_toward(biped: Dimensions, leg: int, cosine: float, sine: float, roll: float) -> Triple:
-    """hip_offset for a pelvis whose heading has that cosine and sine."""
-    wide, up, c, s = biped.leg.hip_side if leg == LEFT else -biped.leg.hip_side, biped.leg.hip_up, cos(roll), sin(roll)
-    forward, side = biped.leg.hip_forward, c * wide - s * up
-    return cosine * forward - sine * side, sine * forward + cosine * side, s * wide + c * up
+def hip_toward(biped: Dimensions, leg: int, heading: tuple[float, float], roll: tuple[float, float]) -> Triple:
+    """hip_offset for a pelvis whose heading and roll have these (cosine, sine)."""
+    wide, up = biped.leg.hip_side if leg == LEFT else -biped.leg.hip_side, biped.leg.hip_up
+    forward, side = biped.leg.hip_forward, roll[0] * wide - roll[1] * up
+    return (
+        heading[0] * forward - heading[1] * side,
+        heading[1] * forward + heading[0] * side,
+        roll[1] * wide + roll[0] * up,
+    )
 
 
 @jit_borrowing

@@ -99,15 +99,15 @@ def in_pieces(
     n = 0
     for i in range(len(support)):
         single = counts[i] >= SINGLE and min(support[i, 0], support[i, 1]) < 0
+        beside = max(flown(time, support, i - 1, steady), flown(time, support, i + 1, steady))
+        rocky, steep = _on_rock(footprints, support, i), _steep(biped, footprints, support, i)
         for k in range(counts[i] + switch[i]):
             out[n] = time[i] + k * (time[i + 1] - time[i]) / counts[i] if k < counts[i] else time[i + 1] - SWITCH
             stand[n, 0], stand[n, 1] = support[i, 0], support[i, 1]
-            beside = max(flown(time, support, i - 1, steady), flown(time, support, i + 1, steady))
-            if beside < 1 and _on_rock(footprints, support, i):
+            if beside < 1 and rocky:
                 share[n] = ROCKY
             elif beside < 1 and single and counts[i] <= SINGLE * k < 2 * counts[i]:
                 share[n] = MIDDLE
-            steep = _steep(biped, footprints, support, i)
             share[n] += steep * (min(share[n], GIVES) - share[n])
             if beside > 0:
                 share[n] = SPRINGY + (share[n] - SPRINGY) * (1 - beside) if beside < 1 else SPRINGY
