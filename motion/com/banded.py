@@ -4,12 +4,14 @@ With d the pivot of a column, l = column / d below it; each of the columns to th
 stands in its row, as Lanes, and so does the right side. Backward, L^T step = D^-1 L^-1 (-gradient).
 """
 
+from typing import Any
+
 import numpy as np
 
 from motion.com.equations import BAND, Equations
 from motion.track.basis import Basis, is_fixed
 from worlds.compiled.jit import jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, load, store, total
+from worlds.compiled.lanes import lane, lanes_of, load, shifted, store, total
 
 DAMPING = 1e-9
 """Share of the diagonal that is added to it: keeps directions that nothing holds from running away."""
@@ -28,19 +30,53 @@ def _hold(equations: Equations, column: int) -> None:
 
 
 @jit_inline
+def _take_one(band: np.ndarray, column: int, s: float, x: Any) -> None:
+    """A column loses s times the lanes x, from its pivot down."""
+    store(band, (column, 0), load(band, (column, 0)) - s * x)
+
+
+@jit_inline
+def _take_two(band: np.ndarray, column: int, s: float, x: Any, y: Any) -> None:
+    _take_one(band, column, s, x)
+    store(band, (column, 4), load(band, (column, 4)) - s * y)
+
+
+@jit_inline
+def _take_three(band: np.ndarray, column: int, s: float, x: Any, y: Any, w: Any) -> None:
+    _take_two(band, column, s, x, y)
+    store(band, (column, 8), load(band, (column, 8)) - s * w)
+
+
+@jit_inline
 def _eliminate(band: np.ndarray, z: np.ndarray, c: int) -> None:
-    """L of a column, which replaces it below its pivot, taken from the columns and the right side that it reaches."""
-    inverse = 1 / max(band[c, 0], _LEAST)
-    for k in range(1, BAND):
-        s = band[c, k] * inverse
-        if s != 0.0:
-            z[c + k] -= s * z[c]
-            for q in range(0, BAND - k, LANES):
-                store(band, (c + k, q), load(band, (c + k, q)) - s * load(band, (c, k + q)))
+    """L of a column, which replaces it below its pivot, taken from the columns and the right side that it reaches.
+
+    The column stays in registers: read again from where it was just written, at other places, it would be waited for.
+    """
+    x, y, w, none = load(band, (c, 0)), load(band, (c, 4)), load(band, (c, 8)), lanes_of(0.0, 0.0, 0.0, 0.0)
+    inverse, own = 1 / max(lane(x, 0), _LEAST), z[c]
+    u, v, t = x * inverse, y * inverse, w * inverse
+    store(band, (c, 0), u)
+    store(band, (c, 4), v)
+    store(band, (c, 8), t)
     band[c, 0] = 0.0
-    for q in range(0, BAND, LANES):
-        store(band, (c, q), load(band, (c, q)) * inverse)
-    z[c] *= inverse
+    _take_three(band, c + 1, lane(u, 1), shifted(x, y, 1), shifted(y, w, 1), shifted(w, none, 1))
+    _take_three(band, c + 2, lane(u, 2), shifted(x, y, 2), shifted(y, w, 2), shifted(w, none, 2))
+    _take_three(band, c + 3, lane(u, 3), shifted(x, y, 3), shifted(y, w, 3), shifted(w, none, 3))
+    _take_two(band, c + 4, lane(v, 0), y, w)
+    _take_two(band, c + 5, lane(v, 1), shifted(y, w, 1), shifted(w, none, 1))
+    _take_two(band, c + 6, lane(v, 2), shifted(y, w, 2), shifted(w, none, 2))
+    _take_two(band, c + 7, lane(v, 3), shifted(y, w, 3), shifted(w, none, 3))
+    _take_one(band, c + 8, lane(t, 0), w)
+    _take_one(band, c + 9, lane(t, 1), shifted(w, none, 1))
+    _take_one(band, c + 10, lane(t, 2), shifted(w, none, 2))
+    _take_one(band, c + 11, lane(t, 3), shifted(w, none, 3))
+    store(z, (c + 4,), load(z, (c + 4,)) - v * own)
+    store(z, (c + 8,), load(z, (c + 8,)) - t * own)
+    z[c + 1] -= lane(u, 1) * own
+    z[c + 2] -= lane(u, 2) * own
+    z[c + 3] -= lane(u, 3) * own
+    z[c] = own * inverse
 
 
 @jit_borrowing

@@ -19,7 +19,7 @@ from motion.track.basis import ORDER, Basis, end_weight
 from motion.track.curve import Weights
 from motion.track.footprints import LEFT, RIGHT
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, anywhere, load, root, store, total
+from worlds.compiled.lanes import LANES, bits_of, load, root, store, total
 
 BAND, WIDTH = 12, 16
 """Entries of a column from the diagonal down; with room for Lanes that begin at any of them."""
@@ -156,25 +156,23 @@ def _sum_samples(problem: Problem, pieces: Pieces, i: int, eps: float, equations
         phi = physics.phi
         omega = (bends[0] - phi * h[0], bends[1] - phi * h[1], bends[2] - phi * h[2], bends[3] - phi * h[3])
         _add_models(equations, pieces.scale, omega, physics, h, _both(left, right))
-        if anywhere(root(x * x + y * y + w[2] * w[2]) > problem.strength):
+        if bits_of(root(x * x + y * y + w[2] * w[2]) > problem.strength) != 0:
             e += _add_strength(problem, pieces, w, bends, equations)
     return e
 
 
 @jit_inline
-def _overreaches(problem: Problem, pieces: Pieces, i: int) -> bool:
-    """Whether a leg is longer than max_length at an end of the pieces from i on: rarely, and only then it costs."""
-    found = False
-    for end in range(2):
-        found |= problems.is_beyond(problem, i, end, mix_all(weights_at(pieces, 1.0 * end)[0], pieces))
-    return found
+def _beyond(problem: Problem, pieces: Pieces, i: int) -> int:
+    """Bits of those pieces from i on at whose beginnings a leg is longer than max_length, and then of those at whose ends."""
+    begins = problems.beyond(problem, i, 0, mix_all(weights_at(pieces, 0.0)[0], pieces))
+    return begins | (problems.beyond(problem, i, 1, mix_all(weights_at(pieces, 1.0)[0], pieces)) << LANES)
 
 
 @jit_inline
 def _add_reach_at(
     problem: Problem, basis: Basis, coefficients: np.ndarray, piece: int, end: int, lane: int, equations: Equations
 ) -> float:
-    """Adds the reach penalty at one end of a piece to the blocks of its lane; at most ends there is none."""
+    """Adds the reach penalty at one end of a piece to the blocks of its lane."""
     first, x, y, z, n = basis.first[piece], 0.0, 0.0, 0.0, 0
     for k in range(ORDER):
         h = end_weight(basis, k, piece, end)
@@ -185,10 +183,11 @@ def _add_reach_at(
         (x, y, z), problem.end_origin[end, :, :, piece], problem.end_standing[end, :, piece],
         (share * limit[0], share * limit[1]), problem.comfort_weight,
     )  # fmt: skip
-    if not e > 0.0:
-        return 0.0
     for k in range(ORDER):
         h = end_weight(basis, k, piece, end)
+        if h == 0.0:  # one of the four begins or ends there
+            n += k + 1
+            continue
         for axis in range(3):
             equations.slopes[k, axis, lane] += h * slope[axis]
         for j in range(k + 1):
@@ -200,12 +199,12 @@ def _add_reach_at(
 
 
 @jit_borrowing
-def _add_reach(problem: Problem, basis: Basis, coefficients: np.ndarray, i: int, equations: Equations) -> float:
-    """Adds the reach penalties at the ends of the pieces from i on that can move to their blocks."""
+def _add_reach(problem: Problem, basis: Basis, coefficients: np.ndarray, i: int, beyond: int, equations: Equations) -> float:
+    """Adds the reach penalties at those ends of the pieces from i on (_beyond) that can move to their blocks."""
     e = 0.0
-    for lane in range(min(LANES, len(problem.time) - 1 - i)):
+    for lane in range(LANES):
         for end in range(2):
-            if not problem.fixed[i + lane + end]:
+            if (beyond >> (end * LANES + lane)) & 1 and not problem.fixed[i + lane + end]:
                 e += _add_reach_at(problem, basis, coefficients, i + lane, end, lane, equations)
     return e
 
@@ -221,8 +220,9 @@ def assemble(problem: Problem, basis: Basis, coefficients: np.ndarray, eps: floa
     for i in range(0, m, LANES):
         pieces = pieces_from(problem.time, problem.weight, problem.support_point.shape[0], basis, coefficients, i)
         e += total(_sum_samples(problem, pieces, i, eps, equations))
-        if _overreaches(problem, pieces, i):
-            e += _add_reach(problem, basis, coefficients, i, equations)
+        beyond = _beyond(problem, pieces, i)
+        if beyond != 0:
+            e += _add_reach(problem, basis, coefficients, i, beyond, equations)
         for lane in range(min(LANES, m - i)):
             _put_piece(equations, basis.first[i + lane], lane)
     return e

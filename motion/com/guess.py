@@ -3,34 +3,33 @@
 import numpy as np
 
 from motion.com.problem import Problem
-from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.jit import jit_borrowing
 
 
-@jit
+@jit_borrowing
 def straight_guess(problem: Problem, control: np.ndarray, first: int) -> None:
     """Control points that are not fixed, from `first` on: above the mean of the feet under them, moving with them."""
     m = len(problem.time) - 1
-    last_sample = problem.support_point.shape[0] - 1
     for i in range(first, m + 1):
-        if problem.fixed[i]:
-            continue
-        sums = np.zeros(3)
-        found = _add_origins(problem, max(i - 1, 0), last_sample, sums) + _add_origins(problem, min(i, m - 1), 0, sums)
-        control[i, :3] = sums / max(found, 1)
-        control[i, 2] += 0.97 * problem.nominal_length[0, 0, min(i, m - 1)]
+        if not problem.fixed[i]:
+            _guess_place(problem, control, i)
     for i in range(first, m + 1):
         if not problem.fixed[i]:
             _guess_velocity(problem, control, i)
 
 
-@jit
-def _add_origins(problem: Problem, i: int, j: int, sums: np.ndarray) -> int:
-    found = 0
-    for leg in range(2):
-        if problem.standing[j, leg, i]:
-            sums += problem.leg_origin[j, leg, :, i]
-            found += 1
-    return found
+@jit_borrowing
+def _guess_place(problem: Problem, control: np.ndarray, i: int) -> None:
+    """Above the mean of the legs' origins in the last sample before it and the first after it."""
+    m, found, x, y, z = len(problem.time) - 1, 0, 0.0, 0.0, 0.0
+    for segment, j in ((max(i - 1, 0), problem.support_point.shape[0] - 1), (min(i, m - 1), 0)):
+        for leg in range(2):
+            if problem.standing[j, leg, segment]:
+                q = problem.leg_origin[j, leg, :, segment]
+                x, y, z, found = x + q[0], y + q[1], z + q[2], found + 1
+    many = max(found, 1)
+    control[i, 0], control[i, 1] = x / many, y / many
+    control[i, 2] = z / many + 0.97 * problem.nominal_length[0, 0, min(i, m - 1)]
 
 
 @jit_borrowing

@@ -12,8 +12,9 @@ from motion.arithmetic.triples import Triple, minus
 from motion.characters.dimensions import Dimensions
 from motion.com import problem as problems
 from motion.com.problem import Layout, Problem
-from motion.track import foot, heading, phases
+from motion.track import foot, phases
 from motion.track.footprints import LEFT, Footprints
+from motion.track.heading import body_headings
 from motion.track.pelvis import pelvis_between, pelvis_turns
 from motion.track.pieces import BRIEF, flies, flown, in_pieces
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
@@ -47,25 +48,38 @@ class Moment(NamedTuple):
 
 @jit
 def _stance(biped: Dimensions, footprints: Footprints, time: np.ndarray, samples: int) -> Stance:
-    axis = np.empty((len(footprints.side), 3))
-    for n in range(len(axis)):
-        axis[n, 0], axis[n, 1], axis[n, 2] = foot.sole_axis(footprints.heading[n], footprints.normal[n])
+    many = (len(time) - 1) * (samples + 1) + 1
+    times, pelvis = np.empty(many), np.empty((many, 4))
+    _lay_times(time, samples, times)
+    body_headings(biped, footprints, times, pelvis[:, 0])
+    stance = Stance(footprints, np.empty((len(footprints.side), 3)), pelvis)
+    _lay_stance(biped, stance, pelvis_turns(biped, footprints), times)
+    return stance
+
+
+@jit_borrowing
+def _lay_times(time: np.ndarray, samples: int, times: np.ndarray) -> None:
+    """All beginnings, samples, and the end of segments between time (m + 1,)."""
     m, k = len(time) - 1, 0
-    times = np.empty(m * (samples + 1) + 1)
     for i in range(m):
         times[k] = time[i]
         for j in range(samples):
             times[k + 1 + j] = time[i] + (j + 0.5) / samples * (time[i + 1] - time[i])
         k += samples + 1
     times[k] = time[m]
-    yaw = np.empty(len(times))
-    heading.body_headings(biped, footprints, times, yaw)
-    pelvis, turns = np.empty((len(times), 4)), pelvis_turns(biped, footprints)
+
+
+@jit_borrowing
+def _lay_stance(biped: Dimensions, stance: Stance, turns: np.ndarray, times: np.ndarray) -> None:
+    """The soles' axes, and the pelvis, where the body's heading lies, at the times."""
+    footprints, axis, pelvis = stance.footprints, stance.axis, stance.pelvis
+    for n in range(len(axis)):
+        axis[n, 0], axis[n, 1], axis[n, 2] = foot.sole_axis(footprints.heading[n], footprints.normal[n])
     for i in range(len(times)):
         turn, roll = pelvis_between(biped, footprints, turns, times[i])
-        pelvis[i, 0], pelvis[i, 1] = np.cos(yaw[i] + turn), np.sin(yaw[i] + turn)
+        yaw = pelvis[i, 0] + turn
+        pelvis[i, 0], pelvis[i, 1] = np.cos(yaw), np.sin(yaw)
         pelvis[i, 2], pelvis[i, 3] = np.cos(roll), np.sin(roll)
-    return Stance(footprints, axis, pelvis)
 
 
 @jit
@@ -74,8 +88,12 @@ def lay_samples(biped: Dimensions, footprints: Footprints, problem: Problem, sup
 
     A segment of one phase has the phase's support (m, 2) all along; the paper's segments span a step and are sampled by time.
     """
-    samples = problem.support_point.shape[0]
-    stance = _stance(biped, footprints, problem.time, samples)
+    _lay_all(biped, _stance(biped, footprints, problem.time, problem.support_point.shape[0]), problem, support, by_step)
+
+
+@jit_borrowing
+def _lay_all(biped: Dimensions, stance: Stance, problem: Problem, support: np.ndarray, by_step: bool) -> None:
+    footprints, samples = stance.footprints, problem.support_point.shape[0]
     for i in range(len(problem.time) - 1):
         begin, end, k = problem.time[i], problem.time[i + 1], i * (samples + 1)
         left, right = support[i, 0], support[i, 1]
@@ -151,27 +169,39 @@ def build_problem(
     if layout.by_step:
         m = phases.merge_by_step(time, support, m)
     if layout.smooth:
-        time, support, share = in_pieces(biped, footprints, time[: m + 1], support[:m], layout.steady)
-        m = len(support)
-    leg = biped.leg
+        cut = in_pieces(biped, footprints, time[: m + 1], support[:m], layout.steady)
+        time, support, m = cut.time, cut.support, len(cut.support)
+    leg, smooth = biped.leg, layout.smooth
     problem = problems.empty_problem(
-        m, layout.samples, leg.nominal_length, foot.FULL_REACH * leg.max_length, leg.comfort_weight, layout.smooth
-    )
-    if layout.smooth:
-        problem = problems.with_effort(problem, STRENGTH * GRAVITY, JERK_WEIGHT, problem.pull)
-        for i in range(m):
-            problem.comfort_share[i] = share[i]
+        m, layout.samples, leg.nominal_length, foot.FULL_REACH * leg.max_length, leg.comfort_weight, smooth,
+        STRENGTH * GRAVITY if smooth else np.inf, JERK_WEIGHT if smooth else 0.0,
+    )  # fmt: skip
+    if smooth:
+        _lay_shares(problem, cut.share)
         _limit_ends(biped, footprints, problem, support[:m])
+    _lay_segments(footprints, problem, time, support, layout.steady)
+    lay_samples(biped, footprints, problem, support, layout.by_step)
+    return problem, support[:m]
+
+
+@jit_borrowing
+def _lay_shares(problem: Problem, share: np.ndarray) -> None:
+    for i in range(len(share)):
+        problem.comfort_share[i] = share[i]
+
+
+@jit_borrowing
+def _lay_segments(footprints: Footprints, problem: Problem, time: np.ndarray, support: np.ndarray, steady: bool) -> None:
+    """Their times, and how much each counts."""
+    m = len(problem.time) - 1
     problem.time[m] = time[m]
     for i in range(m):
         problem.time[i] = time[i]
-        if layout.steady and flies(support, i):
+        if steady and flies(support, i):
             problem.weight[i] = BRIEF + (1 - BRIEF) * max(2 * flown(time, support, i, True) - 1, 0.0)
         n = max(newest(footprints.contact_time, 0.5 * (time[i] + time[i + 1])), 0)
         problem.gravity[i] *= footprints.gravity[n]
         problem.comfort_share[i] *= footprints.comfort[n]
-    lay_samples(biped, footprints, problem, support, layout.by_step)
-    return problem, support[:m]
 
 
 @jit_borrowing

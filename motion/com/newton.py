@@ -15,7 +15,7 @@ from motion.com import problem as problems
 from motion.com.banded import solve
 from motion.com.equations import Equations, assemble, empty_equations
 from motion.com.problem import Problem
-from motion.track.basis import Basis, basis_of, coefficients_of, control_of
+from motion.track.basis import ORDER, Basis, basis_of, control_of, lay_coefficients
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 
 
@@ -50,12 +50,12 @@ class Workspace(NamedTuple):
 
 
 @jit
-def workspace(problem: Problem, control: np.ndarray) -> Workspace:
-    """For a problem, from these control points on."""
+def workspace(problem: Problem) -> Workspace:
+    """For a problem."""
     basis = basis_of(problem.time, problem.smooth)
-    coefficients = coefficients_of(basis, problem.time, control, problem.bend)
-    equations = empty_equations(len(coefficients))
-    return Workspace(basis, equations, coefficients, coefficients.copy(), np.zeros(len(equations.gradient)))
+    n = len(basis.knot) - ORDER
+    equations = empty_equations(n)
+    return Workspace(basis, equations, np.empty((n, 3)), np.empty((n, 3)), np.zeros(len(equations.gradient)))
 
 
 @jit_borrowing
@@ -98,10 +98,11 @@ def _move(coefficients: np.ndarray, kept: np.ndarray, share: float, step: np.nda
             coefficients[i, k] = kept[i, k] + share * step[3 * i + k]
 
 
-@jit
-def minimise(problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float, int]:
-    """Moves control (m + 1, 6) in place to a minimum of E; returns (E, iterations)."""
-    work = workspace(problem, control)
+@jit_borrowing
+def minimise_in(work: Workspace, problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float, int]:
+    """minimise, with its workspace at hand."""
+    lay_coefficients(work.basis, problem.time, control, problem.bend, work.coefficients)
+    _copy(work.coefficients, work.kept)
     ratio = (effort.eps_last / effort.eps_first) ** (1.0 / max(effort.stages - 1, 1))
     eps = effort.eps_first
     e, used = 0.0, 0
@@ -110,3 +111,9 @@ def minimise(problem: Problem, control: np.ndarray, effort: Effort) -> tuple[flo
         used += more
         eps *= ratio
     return e, used
+
+
+@jit
+def minimise(problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float, int]:
+    """Moves control (m + 1, 6) in place to a minimum of E; returns (E, iterations)."""
+    return minimise_in(workspace(problem), problem, control, effort)

@@ -17,7 +17,7 @@ from motion.com.cost import ComfortModel, PhysicsModel, Some, Three, mix
 from motion.track.curve import Weights, acceleration_weights, position_weights
 from motion.track.footprints import LEFT, RIGHT
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, anywhere, lanes_of, load, total
+from worlds.compiled.lanes import LANES, bits_of, lanes_of, load, total
 
 STRENGTH_WEIGHT = 0.12
 """Of what a force is beyond the strength of the legs, squared [s^2/m]."""
@@ -61,9 +61,16 @@ class Problem(NamedTuple):
 
 @jit
 def empty_problem(
-    segments: int, samples: int, nominal_length: float, max_length: float, comfort_weight: float, smooth: bool = False
+    segments: int,
+    samples: int,
+    nominal_length: float,
+    max_length: float,
+    comfort_weight: float,
+    smooth: bool = False,
+    strength: float = np.inf,
+    jerk_weight: float = 0.0,
 ) -> Problem:
-    """A problem of that size with nobody standing and nothing fixed, all legs of one nominal length and any strength."""
+    """A problem of that size with nobody standing and nothing fixed, all legs of one nominal length."""
     wide = segments + LANES - 1
     return Problem(
         np.zeros(segments + 1),
@@ -80,9 +87,9 @@ def empty_problem(
         np.zeros(2),
         comfort_weight,
         np.ones(wide),
-        np.inf,
+        strength,
         STRENGTH_WEIGHT,
-        0.0,
+        jerk_weight,
         smooth,
         np.zeros((2, 3)),
         np.ones(wide),
@@ -176,22 +183,22 @@ def comfort_of_leg(problem: Problem, i: int, j: int, leg: int, com: Three) -> Co
 
 @jit_inline
 def overreaches(problem: Problem, segments: Segments, i: int) -> bool:
-    """Whether a leg is longer than max_length at an end of the segments from i on: rarely, and only then it costs."""
-    found = False
+    """Whether a leg is longer than max_length at an end of the segments from i on: only then it costs."""
+    found = 0
     for end in range(2):
-        found |= is_beyond(problem, i, end, (segments.x[2 * end], segments.y[2 * end], segments.z[2 * end]))
-    return found
+        found |= beyond(problem, i, end, (segments.x[2 * end], segments.y[2 * end], segments.z[2 * end]))
+    return found != 0
 
 
 @jit_inline
-def is_beyond(problem: Problem, i: int, end: int, com: Three) -> bool:
-    """Whether a leg is longer than max_length at one end of the segments from i on, whose coms there are given."""
-    found = False
+def beyond(problem: Problem, i: int, end: int, com: Three) -> int:
+    """Bits of those segments from i on in which a leg is longer than max_length at one end, where their coms are given."""
+    found = 0
     for leg in range(2):
         q, on = _triple(problem.end_origin, end, leg, i), load(problem.end_standing, (end, leg, i))
         x, y, z = com[0] - q[0], com[1] - q[1], com[2] - q[2]
         limit = problem.max_length[leg] * load(problem.end_reach, (end, i))
-        found |= anywhere(on & (x * x + y * y + z * z > limit * limit))
+        found |= bits_of(on & (x * x + y * y + z * z > limit * limit))
     return found
 
 

@@ -17,7 +17,7 @@ from motion.com.problem import Layout, Problem
 from motion.com.standing import above_feet, settling
 from motion.track.curve import Curve, end_acceleration, evaluate, segment_at, up_to
 from motion.track.footprints import Footprints
-from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.jit import jit, jit_borrowing, stack_array
 
 LIVE = Layout(3, False, True, False)
 """Of the live window: the residual is nearly linear in a piece, three samples find it."""
@@ -35,6 +35,7 @@ STRIDES = 4
 """Footprints after which a walk repeats: twice both feet."""
 IRREGULAR = 1.5
 """Ratio of two strides' times from which on one says nothing about the other."""
+_empty_state = stack_array(1, 3)
 
 
 class Span(NamedTuple):
@@ -54,15 +55,15 @@ class Solved(NamedTuple):
     iterations: int
 
 
-@jit
-def _warm_start(problem: Problem, control: np.ndarray, last: Curve) -> int:
-    """Control points within the last window's time take its curve; returns the first beyond it."""
-    scratch = np.empty(3)
-    for i in range(1, len(problem.time)):
+@jit_borrowing
+def _warm_start(problem: Problem, control: np.ndarray, first: int, last: Curve) -> int:
+    """Control points from `first` on that lie within the last curve's time take that curve; returns the first beyond it."""
+    scratch = _empty_state()
+    for i in range(first, len(control)):
         if problem.time[i] > last.time[-1]:
             return i
-        evaluate(last, problem.time[i], control[i, :3], control[i, 3:], scratch)
-    return len(problem.time)
+        evaluate(last, problem.time[i], control[i, :3], control[i, 3:], scratch[0])
+    return len(control)
 
 
 @jit_borrowing
@@ -79,15 +80,14 @@ def _regular(footprints: Footprints, newest: int, last: Curve) -> bool:
     return 1 / IRREGULAR < pace < IRREGULAR and footprints.side[n] != footprints.side[n - 1]
 
 
-@jit
+@jit_borrowing
 def _repeat(footprints: Footprints, newest: int, t: float, last: Curve, out: np.ndarray) -> None:
     """Fills out (6,) with the state at time t by that of the last curve STRIDES footprints before.
 
     It keeps its place between the two feet in their mean heading, and the difference of its velocity from their mean.
     """
     n, position, heading, contact = newest - STRIDES, footprints.position, footprints.heading, footprints.contact_time
-    scratch = np.empty(3)
-    evaluate(last, t - contact[newest] + contact[n], out[:3], out[3:], scratch)
+    evaluate(last, t - contact[newest] + contact[n], out[:3], out[3:], _empty_state()[0])
     turn = 0.5 * (heading[newest] + heading[newest - 1] - heading[n] - heading[n - 1])
     c, s = np.cos(turn), np.sin(turn)
     before, after = contact[n] - contact[n - 2], contact[newest] - contact[newest - 2]
@@ -129,7 +129,7 @@ def begin_window(
     if len(last.time) < 2:
         guess.straight_guess(problem, control, 1)
         return
-    first, m = _warm_start(problem, control, last), len(problem.time) - 1
+    first, m = _warm_start(problem, control, 1, last), len(problem.time) - 1
     if first > m:
         return
     if not stands and _regular(footprints, newest, last):
@@ -158,9 +158,7 @@ def optimise_track(
     problem.bend[:] = span.bend
     problem.fixed[0] = problem.fixed[last] = True
     if len(guess_curve.time) > 1:
-        scratch = np.empty(3)
-        for i in range(1, last):
-            evaluate(guess_curve, problem.time[i], control[i, :3], control[i, 3:], scratch)
+        _warm_start(problem, control[:last], 1, guess_curve)
     else:
         guess.straight_guess(problem, control, 1)
     e, iterations = newton.minimise(problem, control, effort)
@@ -238,9 +236,14 @@ def is_hard(problem: Problem, e: float, effort: Effort) -> bool:
 @jit
 def minimise_hard(problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float, int]:
     """newton.minimise, and more effort where that leaves the window hard; returns (E, iterations)."""
-    e, iterations = newton.minimise(problem, control, effort)
+    return _minimise_hard(newton.workspace(problem), problem, control, effort)
+
+
+@jit_borrowing
+def _minimise_hard(work: newton.Workspace, problem: Problem, control: np.ndarray, effort: Effort) -> tuple[float, int]:
+    e, iterations = newton.minimise_in(work, problem, control, effort)
     if is_hard(problem, e, effort):
-        e, more = newton.minimise(problem, control, newton.HARDER)
+        e, more = newton.minimise_in(work, problem, control, newton.HARDER)
         iterations += more
     return e, iterations
 

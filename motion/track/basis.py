@@ -40,12 +40,20 @@ def basis_of(time: np.ndarray, smooth: bool) -> Basis:
         np.zeros((ORDER, ORDER, m + LANES - 1)),
         np.zeros(n + ORDER, np.int64),
     )
-    for k in range(n + ORDER):
+    basis = Basis(first, weights, knot, smooth)
+    _lay_basis(time, times, basis)
+    return basis
+
+
+@jit_borrowing
+def _lay_basis(time: np.ndarray, times: int, basis: Basis) -> None:
+    """With knots that count so many times."""
+    m, knot = len(time) - 1, basis.knot
+    for k in range(len(knot)):
         knot[k] = min(max((k - ORDER) // times + 1, 0), m) if k >= ORDER else 0
     for i in range(m):
-        first[i] = times * i
-        _lay_piece(time, knot, first[i], weights[:, :, i])
-    return Basis(first, weights, knot, smooth)
+        basis.first[i] = times * i
+        _lay_piece(time, knot, basis.first[i], basis.weights[:, :, i])
 
 
 @jit_borrowing
@@ -74,8 +82,15 @@ def _lay_piece(time: np.ndarray, knot: np.ndarray, first: int, weights: np.ndarr
 @jit
 def coefficients_of(basis: Basis, time: np.ndarray, control: np.ndarray, bend: np.ndarray) -> np.ndarray:
     """Coefficients (n, 3) of a curve with control points (m + 1, 6) and accelerations bend (2, 3) at its ends."""
-    n, last = len(basis.knot) - ORDER, len(time) - 1
-    out = np.empty((n, 3))
+    out = np.empty((len(basis.knot) - ORDER, 3))
+    lay_coefficients(basis, time, control, bend, out)
+    return out
+
+
+@jit_borrowing
+def lay_coefficients(basis: Basis, time: np.ndarray, control: np.ndarray, bend: np.ndarray, out: np.ndarray) -> None:
+    """coefficients_of, into out (n, 3)."""
+    n, last = len(out), len(time) - 1
     for j in range(n):
         k = basis.knot[j + 2]
         if j < 3 and (j < 2 or basis.smooth):
@@ -87,7 +102,6 @@ def coefficients_of(basis: Basis, time: np.ndarray, control: np.ndarray, bend: n
             curvature = bend[0, axis] if k == 0 else (bend[1, axis] if k == last else _bend_at(time, control, k, axis))
             first = control[k, axis] + control[k, 3 + axis] * (d1 + d2 + d3) / 3
             out[j, axis] = first + curvature * (d1 * d2 + d1 * d3 + d2 * d3) / 6
-    return out
 
 
 @jit_borrowing

@@ -76,8 +76,14 @@ def body_headings(biped: Dimensions, footprints: Footprints, times: np.ndarray, 
 
     The line's integral up to a time, from its integral up to the contact before, is a parabola.
     """
-    n, window, contact = len(footprints.side), window_length(biped), footprints.contact_time
-    value, slope, upto = np.empty(n), np.zeros(n), np.zeros(n)
+    _lay_headings(footprints, window_length(biped), times, np.zeros((3, len(footprints.side))), out)
+
+
+@jit_borrowing
+def _lay_headings(footprints: Footprints, window: float, times: np.ndarray, room: np.ndarray, out: np.ndarray) -> None:
+    """body_headings, with room (3, n) of zeros for the line at the contacts: its value, its slope, its integral."""
+    n, contact = len(footprints.side), footprints.contact_time
+    value, slope, upto = room[0], room[1], room[2]
     for i in range(n):
         value[i] = _value(footprints, i)
         if i > 0:

@@ -57,9 +57,14 @@ def _turn_at(biped: Dimensions, footprints: Footprints, i: int) -> tuple[float, 
 def pelvis_turns(biped: Dimensions, footprints: Footprints) -> np.ndarray:
     """What `pelvis_between` asks of each footprint (n, 2), once for many times."""
     turns = np.empty((len(footprints.side), 2))
+    _lay_turns(biped, footprints, turns)
+    return turns
+
+
+@jit_borrowing
+def _lay_turns(biped: Dimensions, footprints: Footprints, turns: np.ndarray) -> None:
     for i in range(len(turns)):
         turns[i, 0], turns[i, 1] = _turn_at(biped, footprints, i)
-    return turns
 
 
 @jit_borrowing

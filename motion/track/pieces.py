@@ -5,6 +5,8 @@ Comfort counts most where the legs of people are straightest, and little where t
 ways.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
@@ -30,6 +32,14 @@ FULL_FLIGHT, BRIEF = 0.12, 0.3
 flight is ballistic or not, and with less weight it comes to be so more slowly as it grows."""
 PIECE = 0.45
 """Length of a piece of a long double stance, in pendulum times."""
+
+
+class Cut(NamedTuple):
+    """A time in m pieces."""
+
+    time: np.ndarray  # (m + 1,) of their ends [s]
+    support: np.ndarray  # (m, 2) footprints that carry the left and the right leg, -1 for none
+    share: np.ndarray  # (m,) of comfort that counts
 
 
 @jit_borrowing
@@ -73,44 +83,63 @@ def flown(time: np.ndarray, support: np.ndarray, i: int, steady: bool) -> float:
 
 
 @jit
-def in_pieces(
-    biped: Dimensions, footprints: Footprints, time: np.ndarray, support: np.ndarray, steady: bool
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def in_pieces(biped: Dimensions, footprints: Footprints, time: np.ndarray, support: np.ndarray, steady: bool) -> Cut:
     """Phases in equal pieces: a single stance in SINGLE, as its force rises and falls; others by their time, a flight in one.
 
-    Returns the times, supports and shares of comfort of the pieces. Beside a flight there are more, and comfort counts less.
-    Steady: their number does not depend on times; where one foot takes over at once, the force may change within SWITCH.
+    Beside a flight there are more, and comfort counts less. Steady: their number does not depend on times; where one foot takes
+    over at once, the force may change within SWITCH.
     """
-    counts, unit = np.ones(len(support), np.int64), PIECE * pendulum_time(biped.leg.nominal_length)
-    switch = np.zeros(len(support), np.bool_)
+    counts = np.ones((len(support), 2), np.int64)
+    total = _count_pieces(biped, time, support, steady, counts)
+    cut = Cut(np.empty(total + 1), np.empty((total, 2), np.int64), np.ones(total))
+    _lay_pieces(biped, footprints, Cut(time, support, cut.share), steady, counts, cut)
+    return cut
+
+
+@jit_borrowing
+def _count_pieces(biped: Dimensions, time: np.ndarray, support: np.ndarray, steady: bool, counts: np.ndarray) -> int:
+    """Fills counts (m, 2) of ones: equal pieces of each phase, and whether one of SWITCH follows them. Returns their sum."""
+    unit, total = PIECE * pendulum_time(biped.leg.nominal_length), 0
     for i in range(len(support)):
         pieces = int(round((time[i + 1] - time[i]) / unit))
         if steady and not flies(support, i):
-            counts[i] = SINGLE if min(support[i, 0], support[i, 1]) >= 0 else 2 * SINGLE
+            counts[i, 0] = SINGLE if min(support[i, 0], support[i, 1]) >= 0 else 2 * SINGLE
         elif flies(support, i - 1) or flies(support, i + 1):
-            counts[i] = min(max(2 * pieces, SINGLE), 2 * SINGLE)
+            counts[i, 0] = min(max(2 * pieces, SINGLE), 2 * SINGLE)
         elif phases.phase_of(support[i, 0], support[i, 1]) == phases.DOUBLE_STANCE:
-            counts[i] = min(max(pieces, 1), SINGLE)
+            counts[i, 0] = min(max(pieces, 1), SINGLE)
         elif not flies(support, i):
-            counts[i] = SINGLE
-        switch[i] = steady and time[i + 1] - time[i] > 4 * SWITCH and _switches(support, i)
-    total = counts.sum() + switch.sum()
-    out, stand, share = np.empty(total + 1), np.empty((total, 2), np.int64), np.ones(total)
-    n = 0
+            counts[i, 0] = SINGLE
+        counts[i, 1] = 1 if steady and time[i + 1] - time[i] > 4 * SWITCH and _switches(support, i) else 0
+        total += counts[i, 0] + counts[i, 1]
+    return total
+
+
+@jit_borrowing
+def _lay_pieces(biped: Dimensions, footprints: Footprints, whole: Cut, steady: bool, counts: np.ndarray, cut: Cut) -> None:
+    """Fills cut with the pieces of whole phases."""
+    time, support, n = whole.time, whole.support, 0
     for i in range(len(support)):
-        single = counts[i] >= SINGLE and min(support[i, 0], support[i, 1]) < 0
+        count = counts[i, 0]
+        single = count >= SINGLE and min(support[i, 0], support[i, 1]) < 0
         beside = max(flown(time, support, i - 1, steady), flown(time, support, i + 1, steady))
         rocky, steep = _on_rock(footprints, support, i), _steep(biped, footprints, support, i)
-        for k in range(counts[i] + switch[i]):
-            out[n] = time[i] + k * (time[i + 1] - time[i]) / counts[i] if k < counts[i] else time[i + 1] - SWITCH
-            stand[n, 0], stand[n, 1] = support[i, 0], support[i, 1]
-            if beside < 1 and rocky:
-                share[n] = ROCKY
-            elif beside < 1 and single and counts[i] <= SINGLE * k < 2 * counts[i]:
-                share[n] = MIDDLE
-            share[n] += steep * (min(share[n], GIVES) - share[n])
-            if beside > 0:
-                share[n] = SPRINGY + (share[n] - SPRINGY) * (1 - beside) if beside < 1 else SPRINGY
+        for k in range(count + counts[i, 1]):
+            cut.time[n] = time[i] + k * (time[i + 1] - time[i]) / count if k < count else time[i + 1] - SWITCH
+            cut.support[n, 0], cut.support[n, 1] = support[i, 0], support[i, 1]
+            middle = single and count <= SINGLE * k < 2 * count
+            cut.share[n] = _share(beside, rocky, middle, steep)
             n += 1
-    out[n] = time[-1]
-    return out, stand, share
+    cut.time[n] = time[-1]
+
+
+@jit_borrowing
+def _share(beside: float, rocky: bool, middle: bool, steep: float) -> float:
+    """Share of comfort that counts in a piece: `beside` as much of a flight, on rocks, in the middle of a stance, so steep."""
+    share = 1.0
+    if beside < 1:
+        share = ROCKY if rocky else (MIDDLE if middle else 1.0)
+    share += steep * (min(share, GIVES) - share)
+    if beside > 0:
+        share = SPRINGY + (share - SPRINGY) * (1 - beside) if beside < 1 else SPRINGY
+    return share

@@ -53,6 +53,8 @@ BORROWING: dict[str, Any] = _OWNING | {"_nrt": False}
 Kernel = TypeVar("Kernel", bound=Callable)
 intrinsic: Callable[[Callable], Callable[..., Any]] = _intrinsic
 """For functions that write the compiler's code: they are called without the first argument that they are written with."""
+intrinsic_of_literals: Callable[[Callable], Callable[..., Any]] = _intrinsic(prefer_literal=True)
+"""The same for those that must know a plain number's value, not only its type."""
 
 
 class _Told(event.Listener):  # type: ignore[misc]

@@ -14,7 +14,7 @@ from numba.core import cgutils, types
 from numba.core.typing.templates import AbstractTemplate, infer_global, signature
 from numba.extending import lower_builtin, models, register_model
 
-from worlds.compiled.jit import intrinsic
+from worlds.compiled.jit import intrinsic, intrinsic_of_literals
 
 LANES = 4
 """Doubles in a register of today's common machines; wider ones gain little, as segments come in tens."""
@@ -242,11 +242,32 @@ def total(_, x):
 
 
 @intrinsic
-def anywhere(_, mask):
-    """Whether a truth holds in any lane."""
+def bits_of(_, mask):
+    """A whole number with bit k set where lane k is true."""
 
     def codegen(context, builder, sig, args):
-        bits = builder.bitcast(_bits(builder, args[0]), ir.IntType(LANES))
-        return builder.icmp_unsigned("!=", bits, ir.Constant(ir.IntType(LANES), 0))
+        return builder.zext(builder.bitcast(_bits(builder, args[0]), ir.IntType(LANES)), ir.IntType(64))
 
-    return signature(types.boolean, mask), codegen
+    return signature(types.int64, mask), codegen
+
+
+@intrinsic_of_literals
+def shifted(_, x, y, by):
+    """Lanes `by`, a plain number from 0 to LANES, of x and those of y after it: as if read from so far on in memory."""
+
+    def codegen(context, builder, sig, args):
+        first = sig.args[2].literal_value
+        order = ir.Constant(ir.VectorType(ir.IntType(32), LANES), [first + k for k in range(LANES)])
+        return builder.shuffle_vector(args[0], args[1], order)
+
+    return (signature(_lanes, x, y, by), codegen) if isinstance(by, types.IntegerLiteral) else None
+
+
+@intrinsic_of_literals
+def lane(_, x, k):
+    """Lane k, a plain number, of x."""
+
+    def codegen(context, builder, sig, args):
+        return builder.extract_element(args[0], ir.Constant(ir.IntType(32), sig.args[1].literal_value))
+
+    return (signature(types.float64, x, k), codegen) if isinstance(k, types.IntegerLiteral) else None

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline, stack_array
-from worlds.compiled.lanes import LANES, anywhere, choose, lanes_of, larger, load, root, store, total
+from worlds.compiled.lanes import LANES, bits_of, choose, lane, lanes_of, larger, load, root, shifted, store, total
 
 N = 5 * LANES
 
@@ -61,12 +61,27 @@ def test_formula_is_numpy_s(numbers):
 
 @jit
 def sums(x, limit):
-    return total(lanes_of(x[3], x[2], x[1], x[0])), anywhere(load(x, (0,)) > limit)
+    return total(lanes_of(x[3], x[2], x[1], x[0])), bits_of(load(x, (0,)) > limit)
 
 
-@pytest.mark.parametrize("limit, found", [(0.5, True), (3.5, True), (4.0, False)])
-def test_sum_and_anywhere(limit, found):
+@pytest.mark.parametrize("limit, found", [(0.5, 0b1111), (2.5, 0b1100), (4.0, 0)])
+def test_sum_and_bits(limit, found):
     assert sums(np.array([1.0, 2.0, 3.0, 4.0]), limit) == (10.0, found)
+
+
+@jit
+def moved(x, out):
+    first, then = load(x, (0,)), load(x, (4,))
+    store(out, (0,), shifted(first, then, 0))
+    store(out, (4,), shifted(first, then, 1))
+    store(out, (8,), shifted(first, then, 3))
+    return lane(first, 0), lane(first, 3)
+
+
+def test_shifted_lanes_and_one_lane():
+    x, out = np.arange(8.0), np.zeros(12)
+    assert moved(x, out) == (0.0, 3.0)
+    assert out.tolist() == [0, 1, 2, 3, 1, 2, 3, 4, 3, 4, 5, 6]
 
 
 _small = stack_array(3, 2)
