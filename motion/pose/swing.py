@@ -11,7 +11,8 @@ the stance before and after it (motion.track.foot). Turns are laid over one way:
 
 At a run the way is later (x a power of s), and the pitch higher (KICK) and longer: the shank folds. Over edges (`hold`) the
 foot rises before it goes forward and comes down after it has arrived. Where the line would come too near to the other foot it
-bows outward: a left foot goes by on the left, a right foot on the right, as on the outside of a sharp turn.
+bows outward: a left foot goes by on the left, a right foot on the right, as on the outside of a sharp turn; less where a rock
+is in its way there.
 """
 
 from math import asin, cos, sin, sqrt
@@ -150,11 +151,8 @@ def outward(
         side = 1.0 if to_left > 0 else -1.0
     lack = max(room_beside(biped) - side * to_left, 0.0)
     ends = min(1.0, 4 * u, 4 * (1 - u))
-    amount = (
-        side
-        * min(lack * ends, MOST_ROOM * length)
-        / max(bump(share_at(u, footprints.hold[after], foot.runs(footprints, before))), 0.3)
-    )
+    amount = side * footprints.bow[after] * min(lack * ends, MOST_ROOM * length)
+    amount /= max(bump(share_at(u, footprints.hold[after], foot.runs(footprints, before))), 0.3)
     return -amount * dy / length, amount * dx / length
 
 

@@ -63,6 +63,7 @@ class Footprints(NamedTuple):
     lift: Numbers  # (n,) height of the swing that arrives here above the line between its ends [m]
     hold: Numbers  # (n,) share of that swing, at either end, in which the foot goes only up or down
     strike: Numbers  # (n,) how far the toes are up when it lands on its heel; the heel, below 0 [rad]
+    bow: Share  # (n,) share of the way around the other foot that that swing takes
     gravity: Share  # (n,) share of gravity that the motion reckons with from its contact to the next
     comfort: Share  # (n,) share of the comfort weight there
     bounce: Share  # (n,) how far the leg over it gives under the load and bends as it pushes off, in its own way of doing so

@@ -26,7 +26,8 @@ MOST_RISES = 3
 ROUGH = 0.16
 """Clearance on ground that is not level, in foot lengths, where the gait's own is less: there one lifts the feet."""
 RIM = 0.02
-"""Rocks count as so much wider [m] in the middle of a swing: one that lies between two of the samples is not missed."""
+"""Rocks count as so much wider [m] in the middle of a swing: one that lies between two of the samples is not missed. Not where
+the foot goes only up or down: it may stand beside a rock as near as it likes."""
 EDGE = 0.02
 """A rock carries a sole whose middle lies at least this far [m] from the rock's edge."""
 QUICK, CALM = 0.6, 1.2
@@ -113,21 +114,36 @@ def _before(footprints: Footprints, n: int) -> int:
 
 @jit_borrowing
 def lay_swing(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: int) -> None:
-    """Sets lift and hold of the swing that arrives at footprint n, after the ground between: over edges the foot goes up first.
+    """Sets lift, hold and bow of the swing that arrives at footprint n, after the ground between.
 
-    Smooth ways go with little hold; where that needs a high lift, as on stairs, more hold needs less.
+    Over edges the foot goes up first: smooth ways go with little hold; where that needs a high lift, as on stairs, more hold
+    needs less. Where no leg folds so far, as it bows into the side of a rock, it does not bow.
     """
     before = _before(footprints, n)
     lay_strike(biped, footprints, n)
-    footprints.hold[n] = swing.HOLD
-    footprints.lift[n] = _lift(biped, world, footprints, before, n)
-    if footprints.lift[n] > HIGH * biped.gait.clearance:
-        smooth = footprints.lift[n]
-        footprints.hold[n] = swing.EDGE_HOLD
-        footprints.lift[n] = _lift(biped, world, footprints, before, n)
-        if footprints.lift[n] > 0.9 * smooth and smooth < MOST_RISES * biped.reach.max_rise:
-            footprints.hold[n], footprints.lift[n] = swing.HOLD, smooth
-    footprints.lift[n] += biped.gait.run_lift * foot.runs(footprints, before) * _pace(biped, footprints, before, n)
+    footprints.bow[n] = 1.0
+    lift, hold = _least_lift(biped, world, footprints, before, n)
+    if lift > biped.timing.hip_height - biped.leg.min_length:
+        footprints.bow[n] = 0.0
+        straight, straight_hold = _least_lift(biped, world, footprints, before, n)
+        if straight < lift:
+            lift, hold = straight, straight_hold
+        else:
+            footprints.bow[n] = 1.0
+    footprints.hold[n] = hold
+    footprints.lift[n] = lift + biped.gait.run_lift * foot.runs(footprints, before) * _pace(biped, footprints, before, n)
+
+
+@jit_borrowing
+def _least_lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before: int, n: int) -> tuple[float, float]:
+    """(lift [m], hold) of a swing."""
+    smooth = _lift(biped, world, footprints, before, n, swing.HOLD)
+    if smooth <= HIGH * biped.gait.clearance:
+        return smooth, swing.HOLD
+    held = _lift(biped, world, footprints, before, n, swing.EDGE_HOLD)
+    if held > 0.9 * smooth and smooth < MOST_RISES * biped.reach.max_rise:
+        return smooth, swing.HOLD
+    return held, swing.EDGE_HOLD
 
 
 @jit_borrowing
@@ -177,26 +193,28 @@ def _depth(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: int
 
 
 @jit_borrowing
-def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before: int, after: int) -> float:
+def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before: int, after: int, hold: float) -> float:
     """Lift [m] with which heel, ball and toe clear the ground below by the gait's clearance at mid-swing.
 
     A sole that stands in the ground a little, on a crest, leaves it and comes to it as deep: no lift helps there.
     """
     most, ball = MOST_RISES * biped.reach.max_rise, biped.foot.ball_forward
     back, ahead = -0.5 * biped.foot.length - ball, 0.5 * biped.foot.length - ball
-    footprints.lift[after] = 0.0
+    footprints.lift[after], footprints.hold[after] = 0.0, hold
     level = is_level(biped, world, footprints, before, after)
     lift = clearance = biped.gait.clearance if level else max(biped.gait.clearance, ROUGH * biped.foot.length)
     samples = LEVEL_SAMPLES if level else SAMPLES
     highest = max(footprints.position[before, 2], footprints.position[after, 2]) + biped.reach.max_rise
     deep = 0.0 if level else max(_depth(biped, world, footprints, before), _depth(biped, world, footprints, after))
+    run = foot.runs(footprints, before)
     for k in range(1, samples):
         s = k / samples
         sole = swing.sole_at(biped, footprints, before, after, s)
         rise = swing.bump(s)
+        rim = RIM * rise if 0 < swing.progress(s, hold, run) < 1 else 0.0
         for forward, bend in ((back, sole.pitch), (0.0, 0.0), (ahead, sole.pitch - sole.flex)):
             p = swing.point_of_foot(sole, forward, 0.0, bend)
-            ground = 0.0 if level else _below(world, p[0], p[1], RIM * rise, highest)
+            ground = 0.0 if level else _below(world, p[0], p[1], rim, highest)
             lack = ground + clearance * rise - p[2] - (1 - rise) * deep
             lift = max(lift, min(lack / rise, most))
     return lift
