@@ -10,8 +10,9 @@ import numpy as np
 
 from motion.com.equations import BAND, Equations
 from motion.track.basis import Basis, is_fixed
+from worlds.compiled.across import lane, shifted, total
 from worlds.compiled.jit import jit_borrowing, jit_inline
-from worlds.compiled.lanes import lane, lanes_of, load, shifted, store, total
+from worlds.compiled.lanes import lanes_of, load, store
 
 DAMPING = 1e-9
 """Share of the diagonal that is added to it: keeps directions that nothing holds from running away."""

@@ -18,8 +18,9 @@ from motion.com.problem import Problem
 from motion.track.basis import ORDER, Basis, end_weight
 from motion.track.curve import Weights
 from motion.track.footprints import LEFT, RIGHT
+from worlds.compiled.across import bits_of, total
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, bits_of, load, root, store, total
+from worlds.compiled.lanes import LANES, load, root, store
 
 BAND, WIDTH = 12, 16
 """Entries of a column from the diagonal down; with room for Lanes that begin at any of them."""

@@ -16,8 +16,9 @@ from motion.com import cost, springs
 from motion.com.cost import ComfortModel, PhysicsModel, Some, Three, mix
 from motion.track.curve import Weights, acceleration_weights, position_weights
 from motion.track.footprints import LEFT, RIGHT
+from worlds.compiled.across import bits_of, total
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, bits_of, lanes_of, load, total
+from worlds.compiled.lanes import LANES, lanes_of, load
 
 STRENGTH_WEIGHT = 0.12
 """Of what a force is beyond the strength of the legs, squared [s^2/m]."""
@@ -184,10 +185,8 @@ def comfort_of_leg(problem: Problem, i: int, j: int, leg: int, com: Three) -> Co
 @jit_inline
 def overreaches(problem: Problem, segments: Segments, i: int) -> bool:
     """Whether a leg is longer than max_length at an end of the segments from i on: only then it costs."""
-    found = 0
-    for end in range(2):
-        found |= beyond(problem, i, end, (segments.x[2 * end], segments.y[2 * end], segments.z[2 * end]))
-    return found != 0
+    x, y, z = segments.x, segments.y, segments.z
+    return beyond(problem, i, 0, (x[0], y[0], z[0])) | beyond(problem, i, 1, (x[2], y[2], z[2])) != 0
 
 
 @jit_inline

@@ -14,7 +14,7 @@ from numba.core import cgutils, types
 from numba.core.typing.templates import AbstractTemplate, infer_global, signature
 from numba.extending import lower_builtin, models, register_model
 
-from worlds.compiled.jit import intrinsic, intrinsic_of_literals
+from worlds.compiled.jit import intrinsic
 
 LANES = 4
 """Doubles in a register of today's common machines; wider ones gain little, as segments come in tens."""
@@ -34,7 +34,8 @@ class MaskType(types.Type):
         super().__init__(name="mask")
 
 
-_lanes, _mask = LanesType(), MaskType()
+KIND, MASK = LanesType(), MaskType()
+"""Types, as the compiler knows them."""
 _NUMBERS, _TRUTHS, _BYTES = (ir.VectorType(one, LANES) for one in (ir.DoubleType(), ir.IntType(64), ir.IntType(8)))
 
 
@@ -57,7 +58,7 @@ class _MaskModel(_Vector):
 
 def _spread(context, builder, kind, value):
     """A plain number in every lane."""
-    if kind == _lanes:
+    if kind == KIND:
         return value
     number = context.cast(builder, value, kind, types.float64)
     one = builder.insert_element(ir.Constant(_NUMBERS, ir.Undefined), number, ir.Constant(ir.IntType(32), 0))
@@ -69,7 +70,8 @@ def _truths(builder, bits):
     return builder.sext(bits, _TRUTHS)
 
 
-def _bits(builder, mask):
+def bits(builder, mask):
+    """LLVM's truths of a Mask."""
     return builder.icmp_signed("<", mask, ir.Constant(_TRUTHS, [0] * LANES))
 
 
@@ -79,7 +81,7 @@ def _define(op, emit, result):
     @infer_global(op)
     class _Typing(AbstractTemplate):
         def generic(self, args, kws):
-            if len(args) == 2 and _lanes in args and all(a == _lanes or isinstance(a, types.Number) for a in args):
+            if len(args) == 2 and KIND in args and all(a == KIND or isinstance(a, types.Number) for a in args):
                 return signature(result, *args)
             return None
 
@@ -98,16 +100,16 @@ for _op, _own, _name in (
     (operator.truediv, operator.itruediv, "fdiv"),
 ):
     for _one in (_op, _own):
-        _define(_one, lambda builder, a, b, name=_name: getattr(builder, name)(a, b), _lanes)
+        _define(_one, lambda builder, a, b, name=_name: getattr(builder, name)(a, b), KIND)
 for _op, _sign in ((operator.gt, ">"), (operator.ge, ">="), (operator.lt, "<"), (operator.le, "<=")):
-    _define(_op, lambda builder, a, b, sign=_sign: _truths(builder, builder.fcmp_ordered(sign, a, b)), _mask)
+    _define(_op, lambda builder, a, b, sign=_sign: _truths(builder, builder.fcmp_ordered(sign, a, b)), MASK)
 
 
 @infer_global(operator.and_)
 @infer_global(operator.or_)
 class _Both(AbstractTemplate):
     def generic(self, args, kws):
-        return signature(_mask, *args) if args == (_mask, _mask) else None
+        return signature(MASK, *args) if args == (MASK, MASK) else None
 
 
 @lower_builtin(operator.and_, MaskType, MaskType)
@@ -123,7 +125,7 @@ def _or(context, builder, sig, args):
 @infer_global(operator.neg)
 class _Negative(AbstractTemplate):
     def generic(self, args, kws):
-        return signature(_lanes, _lanes) if args == (_lanes,) else None
+        return signature(KIND, KIND) if args == (KIND,) else None
 
 
 @lower_builtin(operator.neg, LanesType)
@@ -134,14 +136,14 @@ def _neg(context, builder, sig, args):
 @intrinsic
 def choose(_, condition, yes, no):
     """yes where the condition holds, else no: of lanes or numbers by a Mask, of numbers by a bool. Both are worked out."""
-    wide = condition == _mask
-    result = _lanes if wide else types.float64
+    wide = condition == MASK
+    result = KIND if wide else types.float64
 
     def codegen(context, builder, sig, args):
         truth, a, b = args
         if wide:
             a, b = (_spread(context, builder, kind, value) for kind, value in zip(sig.args[1:], (a, b), strict=True))
-            return builder.select(_bits(builder, truth), a, b)
+            return builder.select(bits(builder, truth), a, b)
         a, b = (context.cast(builder, v, kind, types.float64) for kind, v in zip(sig.args[1:], (a, b), strict=True))
         return builder.select(context.cast(builder, truth, sig.args[0], types.boolean), a, b)
 
@@ -151,10 +153,10 @@ def choose(_, condition, yes, no):
 @intrinsic
 def root(_, x):
     """Square root."""
-    result = x if x == _lanes else types.float64
+    result = x if x == KIND else types.float64
 
     def codegen(context, builder, sig, args):
-        value = args[0] if x == _lanes else context.cast(builder, args[0], x, types.float64)
+        value = args[0] if x == KIND else context.cast(builder, args[0], x, types.float64)
         kind = ir.FunctionType(value.type, [value.type])
         name = f"llvm.sqrt.{'f64' if value.type == ir.DoubleType() else f'v{LANES}f64'}"
         return builder.call(cgutils.get_or_insert_function(builder.module, kind, name), [value])
@@ -165,7 +167,7 @@ def root(_, x):
 @intrinsic
 def larger(_, x, y):
     """The larger of two; y where x is not a number."""
-    wide = _lanes in (x, y)
+    wide = KIND in (x, y)
 
     def codegen(context, builder, sig, args):
         if wide:
@@ -174,7 +176,7 @@ def larger(_, x, y):
             a, b = (context.cast(builder, value, kind, types.float64) for kind, value in zip(sig.args, args, strict=True))
         return builder.select(builder.fcmp_ordered(">", a, b), a, b)
 
-    return signature(_lanes if wide else types.float64, x, y), codegen
+    return signature(KIND if wide else types.float64, x, y), codegen
 
 
 def _pointer(context, builder, kind, array, index_kind, index, vector):
@@ -198,7 +200,7 @@ def load(_, array, index):
             return _truths(builder, builder.icmp_unsigned("!=", found, ir.Constant(_BYTES, [0] * LANES)))
         return found
 
-    return signature(_mask if truths else _lanes, array, index), codegen
+    return signature(MASK if truths else KIND, array, index), codegen
 
 
 @intrinsic
@@ -224,50 +226,4 @@ def lanes_of(_, a, b, c, d):
             found = builder.insert_element(found, number, ir.Constant(ir.IntType(32), k))
         return found
 
-    return signature(_lanes, a, b, c, d), codegen
-
-
-@intrinsic
-def total(_, x):
-    """Sum of the lanes, the first first."""
-
-    def codegen(context, builder, sig, args):
-        each = [builder.extract_element(args[0], ir.Constant(ir.IntType(32), k)) for k in range(LANES)]
-        found = each[0]
-        for one in each[1:]:
-            found = builder.fadd(found, one)
-        return found
-
-    return signature(types.float64, x), codegen
-
-
-@intrinsic
-def bits_of(_, mask):
-    """A whole number with bit k set where lane k is true."""
-
-    def codegen(context, builder, sig, args):
-        return builder.zext(builder.bitcast(_bits(builder, args[0]), ir.IntType(LANES)), ir.IntType(64))
-
-    return signature(types.int64, mask), codegen
-
-
-@intrinsic_of_literals
-def shifted(_, x, y, by):
-    """Lanes `by`, a plain number from 0 to LANES, of x and those of y after it: as if read from so far on in memory."""
-
-    def codegen(context, builder, sig, args):
-        first = sig.args[2].literal_value
-        order = ir.Constant(ir.VectorType(ir.IntType(32), LANES), [first + k for k in range(LANES)])
-        return builder.shuffle_vector(args[0], args[1], order)
-
-    return (signature(_lanes, x, y, by), codegen) if isinstance(by, types.IntegerLiteral) else None
-
-
-@intrinsic_of_literals
-def lane(_, x, k):
-    """Lane k, a plain number, of x."""
-
-    def codegen(context, builder, sig, args):
-        return builder.extract_element(args[0], ir.Constant(ir.IntType(32), sig.args[1].literal_value))
-
-    return (signature(types.float64, x, k), codegen) if isinstance(k, types.IntegerLiteral) else None
+    return signature(KIND, a, b, c, d), codegen

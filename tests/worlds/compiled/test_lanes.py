@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
+from worlds.compiled.across import bits_of, lane, shifted, total
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline, stack_array
-from worlds.compiled.lanes import LANES, bits_of, choose, lane, lanes_of, larger, load, root, shifted, store, total
+from worlds.compiled.lanes import LANES, choose, lanes_of, larger, load, root, store
 
 N = 5 * LANES
 
