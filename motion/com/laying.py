@@ -123,7 +123,13 @@ def _lay_sample(biped: Dimensions, stance: Stance, problem: Problem, i: int, j: 
         problem.standing[j, leg, i] = n >= 0
         if n >= 0:
             u = foot.stance_share(footprints, n, moment.t)
-            _put(problem.support_point, j, leg, i, _on_sole(stance, n, foot.pressing_at(biped, footprints, n, u), 0.0))
+            _put(
+                problem.support_point,
+                j,
+                leg,
+                i,
+                _standing_point(biped, stance, n, u, foot.pressing_at(biped, footprints, n, u), 0.0),
+            )
             _put(problem.leg_origin, j, leg, i, _origin(biped, stance, n, leg, moment, u))
             problem.nominal_length[j, leg, i] = foot.nominal_at(biped, footprints, n, u)
 
@@ -145,8 +151,10 @@ def _put(array: np.ndarray, j: int, leg: int, i: int, point: Triple) -> None:
 
 
 @jit_inline
-def _on_sole(stance: Stance, n: int, forward: float, up: float) -> Triple:
-    """motion.track.foot.along_sole for footprint n."""
+def _standing_point(biped: Dimensions, stance: Stance, n: int, u: float, forward: float, up: float) -> Triple:
+    """motion.track.foot.standing_point."""
+    if foot.turned_by(biped, stance.footprints, n, u) != 0.0:
+        return foot.standing_point(biped, stance.footprints, n, u, forward, up)
     return foot.on_sole(stance.footprints.position[n], stance.axis[n], stance.footprints.normal[n], forward, up)
 
 
@@ -155,7 +163,7 @@ def _origin(biped: Dimensions, stance: Stance, n: int, leg: int, moment: Moment,
     """Ankle of the foot on footprint n at share u of its stance (motion.track.foot.stance_ankle), minus the hip's offset."""
     hip = foot.hip_toward(biped, leg, moment.heading, moment.roll)
     forward, up = foot.ankle_of(biped, stance.footprints, n, u)
-    return minus(_on_sole(stance, n, forward, up), hip)
+    return minus(_standing_point(biped, stance, n, u, forward, up), hip)
 
 
 @jit

@@ -9,7 +9,7 @@ import numpy as np
 from motion.arithmetic.gravity import GRAVITY
 from motion.com import cost
 from motion.track import phases
-from motion.track.foot import along_sole
+from motion.track.foot import along_sole, pivot
 from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit
 
@@ -52,11 +52,25 @@ def _lay_marks(footprints: Footprints, forward: np.ndarray, out: np.ndarray) -> 
             out[n, k, 0], out[n, k, 1], out[n, k, 2] = along_sole(footprints, n, forward[k], 0.0)
 
 
-def on_ground(sole: np.ndarray, stands: np.ndarray, footprints: Footprints) -> np.ndarray:
-    """Which points of the sole carry (F, 2, 3) bool: the lowest over the plane of the footprint `stands` (F, 2)."""
+@jit
+def pivots(max_turn: float, footprints: Footprints) -> np.ndarray:
+    """On which footprints (K,) the foot pivots on its ball before it leaves (motion.track.foot); max_turn [rad]."""
+    out = np.empty(len(footprints.side), np.bool_)
+    for n in range(len(out)):
+        out[n] = pivot(max_turn, footprints, n) != 0.0
+    return out
+
+
+def on_ground(sole: np.ndarray, stands: np.ndarray, footprints: Footprints, pivoting: np.ndarray) -> np.ndarray:
+    """Which points of the sole carry (F, 2, 3) bool: the lowest over the plane of the footprint `stands` (F, 2).
+
+    Once its heel is up, the ball alone carries a foot that is `pivoting` (K,).
+    """
     up, origin = footprints.normal[stands], footprints.position[stands]
     height = np.einsum("fsek,fsk->fse", sole - origin[:, :, None], up)
-    return (height <= height.min(axis=2, keepdims=True) + ON_GROUND) & (stands >= 0)[:, :, None]
+    carries = (height <= height.min(axis=2, keepdims=True) + ON_GROUND) & (stands >= 0)[:, :, None]
+    carries[:, :, 2] &= carries[:, :, 0] | ~pivoting[stands]
+    return carries
 
 
 def skate(sole: np.ndarray, down: np.ndarray, stands: np.ndarray) -> tuple[float, float]:

@@ -25,7 +25,7 @@ FREE_ENDS = 0.25
 OPEN, OPENS = 0.0012, 0.12
 """So much more of its length is free at the very ends, and the share of the swing in which that comes: a standing leg reaches a
 little beyond what it should, and the foot goes on from where it stood."""
-KNEE_TURN, WITH_TOES = 0.6, 0.65
+KNEE_TURN, WITH_TOES = 1.0, 0.65
 """Legs bend toward the toes, by this share of their turn from the body, but no farther than so much [rad], so that knees keep
 apart and no foot is twisted off its knee."""
 CARRIED_FROM, CARRIED = 4.0, 5.5
@@ -69,13 +69,13 @@ def _stand(biped: Dimensions, footprints: Footprints, n: int, t: float, pose: Po
     u = foot.stance_share(footprints, n, t)
     up, half = max(foot.strike_pitch(footprints, n, u), 0.0), 0.5 * biped.foot.length
     x, z = foot.about_heel(biped, biped.foot.ball_forward, 0.0, up)
-    _set(pose.ball, c, leg, foot.along_sole(footprints, n, x, z))
+    _set(pose.ball, c, leg, foot.standing_point(biped, footprints, n, u, x, z))
     x, z = foot.about_heel(biped, half, 0.0, up)
-    _set(pose.toe, c, leg, foot.along_sole(footprints, n, x, z))
+    _set(pose.toe, c, leg, foot.standing_point(biped, footprints, n, u, x, z))
     x, z = foot.rolled(biped, footprints, n, u, -half, 0.0)
-    _set(pose.heel, c, leg, foot.along_sole(footprints, n, x, z))
+    _set(pose.heel, c, leg, foot.standing_point(biped, footprints, n, u, x, z))
     _set(pose.ankle, c, leg, foot.stance_ankle(biped, footprints, n, u))
-    return footprints.heading[n]
+    return footprints.heading[n] + foot.turned_by(biped, footprints, n, u)
 
 
 @jit_inline

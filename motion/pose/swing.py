@@ -178,7 +178,8 @@ def sole_at(biped: Dimensions, footprints: Footprints, before: int, after: int, 
         start[1] + gone * (goal[1] - start[1]) + rise * oy,
         start[2] + gone * (goal[2] - start[2]) + footprints.lift[after] * rise + _toss(biped, footprints, before, s),
     )
-    heading = footprints.heading[before] + gone * (footprints.heading[after] - footprints.heading[before])
+    leaving = footprints.heading[before] + foot.pivot(biped.reach.max_turn, footprints, before)
+    heading = leaving + gone * (footprints.heading[after] - leaving)
     normal = _normal_between(footprints, before, after, gone)
     pitch, up = heel_up(biped, footprints, before, after, s), toes_up(footprints, before, after, s)
     flex = pitch * fade(s, FLEX_FADE)

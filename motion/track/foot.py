@@ -1,10 +1,11 @@
-"""The standing foot: where it presses, how it rolls, where its ankle is, how long its leg likes to be (paper, section 2.4).
+"""The standing foot: where it presses, how it rolls and turns, where its ankle is, how long its leg likes to be (section 2.4).
 
 The point of support moves linearly from heel to toe over the stance. A foot that lands on its heel turns about it until the
 sole is down (FLAT_BY); one that lands on its ball, downstairs or backward, comes down about that. In the last
 `heel_off_fraction` of the stance it pitches about the ball: the toe segment stays flat, so the toe does not move, while heel
-and ankle rise and go forward. All of it is a function of u, the share of the stance that has passed, and as smooth as the swing
-before and after it (motion.pose.swing).
+and ankle rise and go forward. Where the next footprint turns by more than the character likes, the foot also pivots on the
+ball, or it would be twisted off its knee. All of it is a function of u, the share of the stance that has passed, and as smooth
+as the swing before and after it (motion.pose.swing).
 """
 
 from math import cos, sin
@@ -14,7 +15,7 @@ from motion.arithmetic.gravity import GRAVITY
 from motion.arithmetic.smooth import smoothstep
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import LEFT, Footprints, rise, step_length
+from motion.track.footprints import LEFT, Footprints, rise, step_length, walker_heading
 from worlds.compiled.jit import jit_borrowing, jit_inline
 
 RUN_DUTY, WALK_DUTY = 0.4, 0.55
@@ -23,6 +24,8 @@ WALKING_RATE, RUNNING_RATE, RUNNERS_LESS = 3.0, 1.4, 0.26
 """Slope of the heel-off at its end, walking and running, and the share by which a runner's foot leaves less pitched."""
 FLAT_BY = 0.22
 """Share of the stance by which a foot that has landed on its heel lies flat."""
+PIVOTS = 1.4
+"""How far a foot pivots, in what the next footprint turns beyond what the character likes: the body turns on meanwhile."""
 FULL_REACH = 0.9985
 """Share of max_length from which on reach counts: the penalty gives a little, the leg shall not."""
 LOADING_ENDS, PUSH_BEGINS = 0.6, 0.75
@@ -77,6 +80,35 @@ def along_sole(footprints: Footprints, n: int, forward: float, up: float) -> Tri
 
 
 @jit_borrowing
+def pivot(most: float, footprints: Footprints, n: int) -> float:
+    """How far [rad] the foot on footprint n has turned about its ball when it leaves; `most`: max_turn of the character."""
+    if n + 1 >= len(footprints.side) or footprints.side[n + 1] == footprints.side[n] or footprints.stands[n + 1]:
+        return 0.0
+    turn = walker_heading(footprints, n + 1) - walker_heading(footprints, n)
+    beyond = abs(turn) - most
+    if beyond <= 0:
+        return 0.0
+    return (1.0 if turn > 0 else -1.0) * PIVOTS * beyond * beyond / (beyond + 0.05)
+
+
+@jit_borrowing
+def turned_by(biped: Dimensions, footprints: Footprints, n: int, u: float) -> float:
+    """How far [rad] it has by share u of its stance: from the heel-off on."""
+    x = (u - 1) / biped.foot.heel_off_fraction + 1
+    return pivot(biped.reach.max_turn, footprints, n) * smoothstep(x) if x > 0 else 0.0
+
+
+@jit_borrowing
+def standing_point(biped: Dimensions, footprints: Footprints, n: int, u: float, forward: float, up: float) -> Triple:
+    """along_sole of a foot that has turned about its ball by share u of its stance."""
+    turn, ball, normal = turned_by(biped, footprints, n, u), biped.foot.ball_forward, footprints.normal[n]
+    if turn == 0.0:  # nearly always
+        return along_sole(footprints, n, forward, up)
+    axis = sole_axis(footprints.heading[n] + turn, normal)
+    return on_sole(along_sole(footprints, n, ball, 0.0), axis, normal, forward - ball, up)
+
+
+@jit_borrowing
 def stance_share(footprints: Footprints, n: int, t: float) -> float:
     """Share u of the stance on footprint n that has passed at time t [s]."""
     return min(max((t - footprints.contact_time[n]) / footprints.stance_time[n], 0.0), 1.0)
@@ -92,7 +124,7 @@ def pressing_at(biped: Dimensions, footprints: Footprints, n: int, u: float) -> 
 @jit_borrowing
 def point_of_support(biped: Dimensions, footprints: Footprints, n: int, u: float) -> Triple:
     """Where footprint n presses at share u of its stance."""
-    return along_sole(footprints, n, pressing_at(biped, footprints, n, u), 0.0)
+    return standing_point(biped, footprints, n, u, pressing_at(biped, footprints, n, u), 0.0)
 
 
 @jit_borrowing
@@ -191,7 +223,7 @@ def ankle_of(biped: Dimensions, footprints: Footprints, n: int, u: float) -> tup
 def stance_ankle(biped: Dimensions, footprints: Footprints, n: int, u: float) -> Triple:
     """Ankle of the foot on footprint n at share u of its stance."""
     forward, up = ankle_of(biped, footprints, n, u)
-    return along_sole(footprints, n, forward, up)
+    return standing_point(biped, footprints, n, u, forward, up)
 
 
 @jit_borrowing

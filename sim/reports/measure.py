@@ -18,7 +18,16 @@ _FRAMES = (
 )  # fmt: skip
 _PRINTS = ("side", "position", "heading", "normal", "contact_time", "stance_time", "rock")
 """Columns of footprints that are measured; others may be missing."""
-_DIMENSIONS = ("nominal_length", "max_length", "metatarsus", "shank_radius", "hip_height", "foot_length", "ball_forward")
+_DIMENSIONS = (
+    "nominal_length",
+    "max_length",
+    "metatarsus",
+    "shank_radius",
+    "hip_height",
+    "foot_length",
+    "ball_forward",
+    "max_turn",
+)
 _LARGEST = (
     "stance_slide", "skate", "footprint_error", "contact_error", "penetration", "overreach", "flight_residual",
     "physics_cost_error",
@@ -129,7 +138,8 @@ def _feet(a: dict, footprints: Footprints, time: np.ndarray, dimensions: dict, g
     ground = grounds.heights(time, sole)
     height = sole[..., 2] - ground
     stands = quality.footing(time, a["contact"], footprints)
-    down = quality.on_ground(sole, stands, footprints)
+    pivoting = quality.pivots(dimensions["max_turn"], footprints)
+    down = quality.on_ground(sole, stands, footprints, pivoting)
     places = quality.marks(footprints, dimensions["foot_length"], dimensions["ball_forward"])
     horizontal, total = quality.skate(sole, down, stands)
     lowest = quality.swing_clearance(height.min(axis=2), a["contact"])

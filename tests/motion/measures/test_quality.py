@@ -38,7 +38,7 @@ def standing(footprints, shift=(0.0, 0.0, 0.0)):
 
 def judged(footprints, time, sole, contact):
     stands = quality.footing(time, contact, footprints)
-    down = quality.on_ground(sole, stands, footprints)
+    down = quality.on_ground(sole, stands, footprints, np.zeros(3, bool))
     error = quality.footprint_error(sole, down, stands, quality.marks(footprints, FOOT, BALL))
     return *quality.skate(sole, down, stands), error
 
@@ -58,7 +58,7 @@ def test_skate_adds_up_over_the_stance():
     assert horizontal == pytest.approx(0.03 * lasts, rel=0.02) and total == pytest.approx(0.05 * lasts, rel=0.02)
     assert error == pytest.approx(total)
     stands = quality.footing(time, contact, footprints)
-    down = quality.on_ground(sole, stands, footprints)
+    down = quality.on_ground(sole, stands, footprints, np.zeros(3, bool))
     assert quality.stance_slide(sole, down) == pytest.approx(0.05 / RATE)
 
 

@@ -75,3 +75,22 @@ def test_a_sole_that_stands_in_a_crest_is_not_lifted_for_it(character):
     footprints.position[:, 2] -= 0.005
     placing.lay_swing(b, bumps, footprints, 4)
     assert level - 1e-9 <= footprints.lift[4] < level + 0.02
+
+
+def test_a_foot_goes_straight_by_the_other_where_a_rock_leaves_no_room_to_bow():
+    b = load_character("bird").biped
+    footprints = straight_walk(b, 6)
+    footprints.position[:] += [10.0, 5.0, 0.0]
+    footprints.position[:, 1] = 5.0 + np.where(footprints.side == 0, 0.02, -0.02)  # so near that it has to bow
+    before, n = 2, 4
+    start, goal = footprints.position[before], footprints.position[n]
+    bow = swing.outward(b, footprints, before, n, tuple(start), tuple(goal))
+    side, middle = np.sign(bow[1]), 0.5 * (start + goal)
+    room = 0.5 * b.foot.width + 0.02
+    rocks = np.array([[middle[0], middle[1] + side * (room + 0.2), 0.2, 3 * b.reach.max_rise]])
+    world = World("beside", (30.0, 10.0), rocks=rocks).arrays
+    assert abs(bow[1]) > 0.05
+    placing.lay_swing(b, world, footprints, n)
+    assert footprints.bow[n] == 0.0 and footprints.lift[n] < 2 * b.gait.clearance
+    placing.lay_swing(b, FLAT.arrays, footprints, n)
+    assert footprints.bow[n] == 1.0
