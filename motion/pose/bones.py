@@ -1,7 +1,7 @@
 """The bones of a biped by name, and where they are at one time: the root's place, and each bone's rotation against its parent.
 
 A named `stretch` tells how many times its length a bone reaches. Bones are rigid but for that: legs give up to 2 % near full
-extension, and more where a footprint is out of reach; arms and a bobbing neck give a little.
+extension, and more where a footprint is out of reach. The neck of who bobs its head has two links.
 """
 
 from typing import Annotated, NamedTuple
@@ -13,14 +13,15 @@ from worlds.compiled.tables import Column, Vectors
 
 PAIRED = ("upper_arm", "forearm", "hand", "thigh", "shank", "metatarsus", "foot", "toes", "wing")
 BONES = (
-    "root", "body", "pelvis", "spine", "chest", "neck", "head",
+    "root", "body", "pelvis", "spine", "chest", "neck", "neck_2", "head",
     *(f"{bone}_{side}" for bone in PAIRED for side in ("left", "right")),
     *(f"tail_{k + 1}" for k in range(TAIL)),
 )  # fmt: skip
 """All that a biped can have, parents before children; a character without a tail has none of its bones."""
 INDEX = {name: k for k, name in enumerate(BONES)}
 _PARENTS = {
-    "root": "", "body": "root", "pelvis": "root", "spine": "root", "chest": "spine", "neck": "chest", "head": "neck",
+    "root": "", "body": "root", "pelvis": "root", "spine": "root", "chest": "spine",
+    "neck": "chest", "neck_2": "neck", "head": "neck_2",
     "upper_arm": "chest", "forearm": "upper_arm", "hand": "forearm", "thigh": "root", "shank": "thigh", "metatarsus": "shank",
     "foot": "metatarsus", "toes": "foot", "wing": "chest", "tail_1": "body",
 } | {f"tail_{k + 1}": f"tail_{k}" for k in range(1, TAIL)}  # fmt: skip

@@ -1,4 +1,4 @@
-"""Arms that swing against the legs, and a tail that lags behind the body: functions of the pose and the past."""
+"""Arms that swing against the legs, a tail that lags behind the body, a neck's links: functions of the pose and the past."""
 
 from math import cos, exp, log, sin, tanh
 
@@ -25,8 +25,21 @@ BALANCES, LESS_SWING = 0.55, 0.5
 """How far arms are held out on rocks [rad], and the share by which they swing less."""
 RUNNERS_INWARD = 0.12
 """How far a runner's hands point inward, in forearms: clear of the hips."""
+NECK_LINKS = 1.45
+"""Length of a bobbing neck's two links together, in the distance that they bridge at rest."""
 WHIP, FLAP = 0.22, 0.16
 """How far the tail swings sideways and up per sway, with g / 5 and g of acceleration [rad]."""
+
+
+@jit_borrowing
+def neck_links(biped: Dimensions) -> tuple[Triple, Triple]:
+    """The neck at rest, from its base to the head, in two links [m]: of one length, bent forward, if the head bobs."""
+    body = biped.body
+    x, z = 0.5 * (body.head_forward - body.neck_forward), 0.5 * (body.head_up - body.neck_up)
+    if body.head_bob == 0:
+        return (x, 0.0, z), (x, 0.0, z)
+    bulge = (NECK_LINKS * NECK_LINKS - 1) ** 0.5
+    return (x + bulge * z, 0.0, z - bulge * x), (x - bulge * z, 0.0, z + bulge * x)
 
 
 @jit_borrowing

@@ -13,7 +13,7 @@ import numpy as np
 
 from motion.characters.character import Character
 from motion.pose.bones import BONES, parent_of
-from motion.pose.limbs import TAIL
+from motion.pose.limbs import TAIL, neck_links
 
 WING = (0.12, 0.23, 0.10)
 """Where wings begin, from the com, in nominal legs; the second times the bird's girth."""
@@ -50,6 +50,8 @@ def _has(character: Character, name: str) -> bool:
         return body.upper_arm + body.forearm > 0
     if name.startswith("metatarsus"):
         return character.biped.leg.metatarsus > 0
+    if name == "neck_2":
+        return body.head_bob > 0
     if name.startswith("tail"):
         return body.tail_length > 0
     return character.look.plan == "bird" if name.startswith("wing") else True
@@ -61,18 +63,18 @@ def _offsets(character: Character) -> dict[str, tuple[float, float, float]]:
     unit = leg.nominal_length
     chest = (body.shoulder_forward, 0.0, body.shoulder_up)
     wing = (WING[0] * unit - chest[0], WING[1] * character.look.girth * unit, WING[2] * unit - chest[2])
-    lower = leg.metatarsus if leg.metatarsus > 0 else leg.shank
+    below, (lower, upper) = leg.metatarsus if leg.metatarsus > 0 else leg.shank, neck_links(character.biped)
     standing = -leg.hip_up + leg.thigh + leg.shank + leg.metatarsus + foot.ankle_height
     single = {
         "root": (0.0, 0.0, standing), "body": nothing, "pelvis": nothing, "spine": nothing, "chest": chest,
-        "neck": (body.neck_forward - chest[0], 0.0, body.neck_up - chest[2]),
-        "head": (body.head_forward - body.neck_forward, 0.0, body.head_up - body.neck_up),
+        "neck": (body.neck_forward - chest[0], 0.0, body.neck_up - chest[2]), "neck_2": lower,
+        "head": upper if body.head_bob > 0 else (body.head_forward - body.neck_forward, 0.0, body.head_up - body.neck_up),
         "tail_1": (body.tail_forward, 0.0, body.tail_up),
     } | {f"tail_{k + 1}": (-body.tail_length / TAIL, 0.0, 0.0) for k in range(1, TAIL)}  # fmt: skip
     left = {
         "upper_arm": (0.0, body.shoulder_side, 0.0), "forearm": (0.0, 0.0, -body.upper_arm), "hand": (0.0, 0.0, -body.forearm),
         "thigh": (leg.hip_forward, leg.hip_side, leg.hip_up), "shank": (0.0, 0.0, -leg.thigh),
-        "metatarsus": (0.0, 0.0, -leg.shank), "foot": (0.0, 0.0, -lower),
+        "metatarsus": (0.0, 0.0, -leg.shank), "foot": (0.0, 0.0, -below),
         "toes": (foot.ball_forward - foot.ankle_forward, 0.0, -foot.ankle_height), "wing": wing,
     }  # fmt: skip
     return single | _both_sides(left)
@@ -84,7 +86,8 @@ def _tips(character: Character) -> dict[str, tuple[float, float, float]]:
     offsets = _offsets(character)
     single = {
         "root": nothing, "body": nothing, "pelvis": (leg.hip_forward, 0.0, leg.hip_up), "spine": offsets["chest"],
-        "chest": offsets["neck"], "neck": offsets["head"], "head": (0.0, 0.0, 0.1 * leg.nominal_length),
+        "chest": offsets["neck"], "neck": offsets["neck_2" if _has(character, "neck_2") else "head"],
+        "neck_2": offsets["head"], "head": (0.0, 0.0, 0.1 * leg.nominal_length),
     } | {f"tail_{k + 1}": (-body.tail_length / TAIL, 0.0, 0.0) for k in range(TAIL)}  # fmt: skip
     left = {
         "upper_arm": offsets["forearm_left"], "forearm": offsets["hand_left"], "hand": (0.0, 0.0, -0.2 * body.forearm),

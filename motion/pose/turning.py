@@ -13,11 +13,12 @@ from motion.arithmetic.rotations import Axes, Quaternion
 from motion.arithmetic.triples import Triple, cross, dot, minus, norm, times, unit
 from motion.characters.dimensions import Dimensions
 from motion.pose.bones import BONES, INDEX, Bones
-from motion.pose.limbs import TAIL
+from motion.pose.limbs import TAIL, neck_links
 from motion.pose.pose import Pose
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 
-ROOT, BODY, PELVIS, SPINE, NECK, HEAD = (INDEX[name] for name in ("root", "body", "pelvis", "spine", "neck", "head"))
+ROOT, BODY, PELVIS, SPINE = (INDEX[name] for name in ("root", "body", "pelvis", "spine"))
+NECK, NECK_2, HEAD = (INDEX[name] for name in ("neck", "neck_2", "head"))
 ARM, FOREARM, THIGH, SHANK = (INDEX[f"{name}_left"] for name in ("upper_arm", "forearm", "thigh", "shank"))
 METATARSUS, FOOT, TOES, TAIL_ROOT = (INDEX[name] for name in ("metatarsus_left", "foot_left", "toes_left", "tail_1"))
 
@@ -106,20 +107,40 @@ def _carried(q: Quaternion, v: Triple) -> Triple:
 
 @jit_borrowing
 def _neck(biped: Dimensions, pose: Pose, c: int, chest: Quaternion, bones: Bones) -> None:
-    """The neck points to the head, turned from the head's own axes by as little as that takes."""
-    body, head = biped.body, _rotation(pose.head_rotation_wxyz, c)
-    rest = (body.head_forward - body.neck_forward, 0.0, body.head_up - body.neck_up)
-    way, length = minus(_place(pose.head, c), _place(pose.neck, c)), norm(rest)
-    if length > 0:
+    """The neck points to the head, turned from the head's own axes by as little as that takes; or it bends in two links."""
+    head, (lower, upper) = _rotation(pose.head_rotation_wxyz, c), neck_links(biped)
+    way, rest = minus(_place(pose.head, c), _place(pose.neck, c)), minus(lower, times(-1.0, upper))
+    if biped.body.head_bob > 0:
+        above = _bent_neck(bones, c, chest, way, (lower, upper))
+    elif norm(rest) > 0:
         begin, end = unit(_carried(head, rest)), unit(way)
         axis, share = cross(begin, end), 1 + dot(begin, end)
         scale = 1 / max((share * share + dot(axis, axis)) ** 0.5, 1e-12)
         least = (scale * share, scale * axis[0], scale * axis[1], scale * axis[2])
         above = _turn(bones, c, NECK, chest, rotations.product(least, head))
-        bones.stretch[c, NECK] = norm(way) / length
+        bones.stretch[c, NECK] = norm(way) / norm(rest)
     else:
         above = _turn(bones, c, NECK, chest, head)
     _turn(bones, c, HEAD, above, head)
+
+
+@jit_inline
+def _bent_neck(bones: Bones, c: int, chest: Quaternion, way: Triple, rest: tuple[Triple, Triple]) -> Quaternion:
+    """Two links of one length, those of `rest`, that bulge forward between the neck's base and the head, at `way` from it."""
+    link, half, left = norm(rest[0]), times(0.5, way), _axis_left(chest)
+    aside = unit(minus(left, times(dot(left, way) / max(dot(way, way), 1e-12), way)))
+    bulge = times(max(link * link - dot(half, half), 0.0) ** 0.5, unit(cross(aside, way)))
+    first, second = minus(half, times(-1.0, bulge)), minus(half, bulge)
+    bones.stretch[c, NECK], bones.stretch[c, NECK_2] = norm(first) / link, norm(second) / link
+    above = _turn(bones, c, NECK, chest, _turned_to(rest[0], first, aside))
+    return _turn(bones, c, NECK_2, above, _turned_to(rest[1], second, aside))
+
+
+@jit_inline
+def _turned_to(rest: Triple, way: Triple, left: Triple) -> Quaternion:
+    """Rotation of a bone that points along `rest` at rest, in the plane of up and ahead, and along `way`, its left there."""
+    at_rest = rotations.of_axes(_hanging(unit(rest), (0.0, 1.0, 0.0)))
+    return rotations.product(rotations.of_axes(_hanging(unit(way), left)), rotations.inverse(at_rest))
 
 
 @jit_borrowing

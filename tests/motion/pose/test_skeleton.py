@@ -49,7 +49,8 @@ def test_bones_lie_where_the_joints_are(name):
         bones = motion.bones(t)
         np.testing.assert_allclose(np.linalg.norm(bones.rotation_wxyz[0], axis=1), 1.0, atol=1e-9)
         legs = [k for k, bone in enumerate(motion.skeleton.names) if bone.startswith(("thigh", "shank", "metatarsus"))]
-        assert bones.stretch[0, legs].max() < 1.03 and bones.stretch.max() < 1.3  # a bobbing neck, an S, gives most
+        assert bones.stretch[0, legs].max() < 1.03
+        np.testing.assert_allclose(np.delete(bones.stretch[0], legs), 1.0, atol=1e-6)
 
 
 def test_bones_of_a_crowd_are_those_of_each_ones_skeleton():
