@@ -12,6 +12,7 @@ from motion.arithmetic import rotations
 from motion.arithmetic.rotations import Axes, Quaternion
 from motion.arithmetic.triples import Triple, cross, dot, minus, norm, times, unit
 from motion.characters.dimensions import Dimensions
+from motion.pose import limbs
 from motion.pose.bones import BONES, INDEX, Bones
 from motion.pose.limbs import TAIL, neck_links
 from motion.pose.pose import Pose
@@ -21,6 +22,9 @@ ROOT, BODY, PELVIS, SPINE = (INDEX[name] for name in ("root", "body", "pelvis", 
 NECK, NECK_2, HEAD = (INDEX[name] for name in ("neck", "neck_2", "head"))
 ARM, FOREARM, THIGH, SHANK = (INDEX[f"{name}_left"] for name in ("upper_arm", "forearm", "thigh", "shank"))
 METATARSUS, FOOT, TOES, TAIL_ROOT = (INDEX[name] for name in ("metatarsus_left", "foot_left", "toes_left", "tail_1"))
+WING = INDEX["wing_left"]
+SPREAD, RAISED, HARDLY = 1.0, 0.5, 0.04
+"""How far wings open outward and rise in free fall [rad], and the cube of the fall, in g, at which they are half open."""
 
 
 @jit_inline
@@ -155,6 +159,22 @@ def _tail(pose: Pose, c: int, body: Quaternion, bones: Bones) -> None:
 
 
 @jit_borrowing
+def _wings(biped: Dimensions, pose: Pose, c: int, chest: Quaternion, bones: Bones) -> None:
+    """Wings open where the body falls, as in a hop, and fold on the ground; the tail says how it falls (limbs.lay_tail)."""
+    body, forward, falls = biped.body, _carried(_rotation(pose.body_rotation_wxyz, c), (1.0, 0.0, 0.0)), 0.0
+    rest = body.tail_rise + 0.5 * asin(min(max(forward[2], -1.0), 1.0))
+    for k in range(TAIL):
+        piece, most = body.tail_length / TAIL, limbs.FLAP * body.tail_sway * (k + 1) / TAIL
+        rise = asin(min(max((pose.tail[c, k + 1, 2] - pose.tail[c, k, 2]) / piece, -1.0), 1.0))
+        falls += (rise - rest) / max(most, 1e-6) / TAIL
+    falls = max(falls, 0.0)
+    open_ = falls**3 / (falls**3 + HARDLY)
+    for side, sign in ((0, -1.0), (1, 1.0)):
+        spread = rotations.quaternion(sign * SPREAD * open_, RAISED * open_, 0.0)
+        _turn(bones, c, WING + side, chest, rotations.product(chest, spread))
+
+
+@jit_borrowing
 def fill_bones(biped: Dimensions, pose: Pose, c: int, bones: Bones) -> None:
     """Fills row c of `bones` from row c of a pose of that biped."""
     for bone in range(len(BONES)):
@@ -177,6 +197,7 @@ def fill_bones(biped: Dimensions, pose: Pose, c: int, bones: Bones) -> None:
             _arm(biped, pose, c, side, chest, bones)
     if biped.body.tail_length > 0:
         _tail(pose, c, body, bones)
+        _wings(biped, pose, c, chest, bones)
 
 
 @jit_borrowing

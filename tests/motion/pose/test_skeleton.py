@@ -101,3 +101,19 @@ def test_a_skeleton_is_whole(name):
     right = [skeleton.names.index(skeleton.names[k].replace("_left", "_right")) for k in left]
     np.testing.assert_allclose(skeleton.offset[left], skeleton.offset[right] * [1, -1, 1])
     assert parent_of("toes_left") == "foot_left" and parent_of("root") == ""
+
+
+def test_wings_open_in_a_hop_and_are_folded_walking():
+    turned = {}
+    for level, hops in (("forest", False), ("river_long_steps", True)):
+        sim = make_simulation(level, "bird", 1, 2, hops)
+        wings = [sim.skeleton(0).names.index(f"wing_{side}") for side in ("left", "right")]
+        seen = []
+        for _ in range(12 * 60):
+            sim.tick()
+            seen.append(np.abs(sim.bones(0, sim.time).rotation_wxyz[0, wings, 0]))
+        turned[level] = 2 * np.arccos(np.clip(seen, 0, 1))
+    assert turned["forest"].max() < np.radians(3)
+    assert turned["river_long_steps"].max() > np.radians(30)
+    np.testing.assert_allclose(turned["river_long_steps"][:, 0], turned["river_long_steps"][:, 1], atol=1e-9)
+    assert np.abs(np.diff(turned["river_long_steps"], axis=0)).max() < np.radians(15)  # within a frame

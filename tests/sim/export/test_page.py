@@ -60,8 +60,11 @@ def page(tmp_path_factory):
 def test_a_page_plays_and_scrubs_from_a_file(page, tmp_path):
     played = tmp_path / "scrubbed.html"
     played.write_text(page.read_text("utf-8").replace("</body>", SCRUB + "</body>"), "utf-8")
-    text, console = browse(tmp_path, played.as_uri(), "--dump-dom")
-    found = dict(re.findall(r'data-([a-z-]+)="([^"]*)"', text[text.index("<body") : text.index("<canvas")]))
+    for _ in range(3):  # a machine that is busy may draw no further frame before the browser is done
+        text, console = browse(tmp_path, played.as_uri(), "--dump-dom")
+        found = dict(re.findall(r'data-([a-z-]+)="([^"]*)"', text[text.index("<body") : text.index("<canvas")]))
+        if float(found["time"]) > float(found["three-quarters"]):
+            break
     assert console == [] and found["asked"] == "0"
     assert float(found["quarter"]) == pytest.approx(1.0, abs=0.05)
     assert float(found["three-quarters"]) == pytest.approx(3.0, abs=0.05)
