@@ -8,6 +8,8 @@ from worlds.arrays import CELL, FLAT, HEIGHTMAP, HILLS, REACH, SPIRAL_STAIRS, ST
 from worlds.compiled.jit import jit, jit_borrowing
 
 TAU = 6.283185307179586
+SURELY = 1 + 1e-9
+"""Squares that differ by more than this ratio do so however numbers are rounded: most distances need no root."""
 
 
 @jit_borrowing
@@ -79,17 +81,20 @@ def tree_clearance(world: WorldArrays, x: float, y: float) -> float:
     cell, nearest = cell_of(world, x, y), REACH
     for k in range(world.tree_start[cell], world.tree_start[cell + 1]):
         tree = world.trees[world.tree_index[k]]
-        nearest = min(nearest, hypot(x - tree[0], y - tree[1]) - tree[2])
+        dx, dy, reach = x - tree[0], y - tree[1], nearest + tree[2]
+        if dx * dx + dy * dy < SURELY * reach * reach or reach < 0:
+            nearest = min(nearest, hypot(dx, dy) - tree[2])
     return nearest
 
 
 @jit_borrowing
-def _off_piece(piece: np.ndarray, x: float, y: float) -> float:
-    """Distance to a piece (5,) of a river or a wall: a line with half a width around it [m], negative inside."""
+def _off_piece(piece: np.ndarray, x: float, y: float, most: float) -> float:
+    """Distance to a piece (5,) of a river or a wall, a line and half a width around it, at most `most` [m]; inside negative."""
     dx, dy = piece[2] - piece[0], piece[3] - piece[1]
     length2 = max(dx * dx + dy * dy, 1e-12)
     s = min(max(((x - piece[0]) * dx + (y - piece[1]) * dy) / length2, 0.0), 1.0)
-    return hypot(x - piece[0] - s * dx, y - piece[1] - s * dy) - piece[4]
+    px, py, reach = x - piece[0] - s * dx, y - piece[1] - s * dy, most + piece[4]
+    return min(most, hypot(px, py) - piece[4]) if px * px + py * py < SURELY * reach * reach or reach < 0 else most
 
 
 @jit_borrowing
@@ -97,7 +102,7 @@ def water_clearance(world: WorldArrays, x: float, y: float) -> float:
     """Distance to the nearest water's edge [m], negative in the water, at most REACH. Rocks do not count."""
     cell, nearest = cell_of(world, x, y), REACH
     for k in range(world.bank_start[cell], world.bank_start[cell + 1]):
-        nearest = min(nearest, _off_piece(world.banks[world.bank_index[k]], x, y))
+        nearest = _off_piece(world.banks[world.bank_index[k]], x, y, nearest)
     return nearest
 
 
@@ -106,7 +111,7 @@ def wall_clearance(world: WorldArrays, x: float, y: float) -> float:
     """Distance to the nearest wall's surface [m], negative inside, at most REACH."""
     cell, nearest = cell_of(world, x, y), REACH
     for k in range(world.wall_start[cell], world.wall_start[cell + 1]):
-        nearest = min(nearest, _off_piece(world.walls[world.wall_index[k]], x, y))
+        nearest = _off_piece(world.walls[world.wall_index[k]], x, y, nearest)
     return nearest
 
 

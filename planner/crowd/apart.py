@@ -34,7 +34,7 @@ def overlap_of(bipeds: list[Dimensions], places: np.ndarray) -> Overlap | None:
 
     They are put into a grid one by one. Those in it are apart, so few of them lie near: it takes time in proportion to C.
     """
-    reaches = {id(one): _reach(one) for one in bipeds}
+    reaches = {each: _reach(one) for each, one in {id(one): one for one in bipeds}.items()}
     for c, other in _near(places, 2 * max(reaches.values())):
         most = reaches[id(bipeds[c])] + reaches[id(bipeds[other])]
         if hypot(*(places[c, :2] - places[other, :2])) < most:

@@ -42,6 +42,8 @@ FOOT_MARGIN = 0.01
 """Room kept between soles [m]."""
 GRAZE = 0.12
 """Bodies may come so much closer, in half depths, than they should, or are, on their way to where they are not too close."""
+APART = 1e-9
+"""Bodies that are further apart than the largest axes of both by this [m] do not touch, however numbers are rounded."""
 LOOKS = 4
 """Moments of a step at which bodies are looked at."""
 
@@ -57,13 +59,30 @@ class Candidate(NamedTuple):
     time: float  # it takes [s]
 
 
+class Bearing(NamedTuple):
+    """One of the directions, and what all steps in it share."""
+
+    ahead_x: float  # its unit vector
+    ahead_y: float
+    heading: float  # of the foot [rad]
+    turn: float  # how far that is off the last one's [rad]
+    aside_x: float  # from the middle to the foot [m]
+    aside_y: float
+    longest: float  # step [m]
+
+
+@jit_borrowing
+def _time(biped: Dimensions, walker: Walker, fx: float, fy: float, turn: float) -> float:
+    """How long a step takes that sets the foot down there [s], as on level ground: rises only make it later."""
+    time = timing.level_time(biped, hypot(fx - walker.foot_x, fy - walker.foot_y), turn, QUICK)
+    return max(time, timing.least_step_time(biped, walker.overlap))
+
+
 @jit_borrowing
 def candidate_to(biped: Dimensions, walker: Walker, middle: Place, heading: float) -> Candidate:
-    """The step to a middle, timed as on level ground: rises only make it later."""
+    """The step to a middle."""
     fx, fy = beside(biped, walker.side, middle, heading)
-    length, turn = hypot(fx - walker.foot_x, fy - walker.foot_y), abs(heading - walker.heading)
-    time, _ = timing.step_timing(biped, length, 0.0, turn, False, QUICK)
-    return Candidate(middle[0], middle[1], heading, fx, fy, max(time, timing.least_step_time(biped, walker.overlap)))
+    return Candidate(middle[0], middle[1], heading, fx, fy, _time(biped, walker, fx, fy, abs(heading - walker.heading)))
 
 
 @jit_borrowing
@@ -74,27 +93,23 @@ def longest(biped: Dimensions, slant: float) -> float:
 
 
 @jit_borrowing
-def _turned(biped: Dimensions, walker: Walker, k: int) -> float:
-    """How far the foot turns in direction k [rad]: into it, if it is before one or that turns to the course, too."""
-    off, most = wrapped(walker.course + DIRECTIONS[k] - walker.heading), biped.reach.max_turn
+def bearing_of(biped: Dimensions, walker: Walker, k: int) -> Bearing:
+    """Direction k. The foot turns into it, if it is before one or that turns to the course, too."""
+    direction, most = walker.course + DIRECTIONS[k], biped.reach.max_turn
+    off = wrapped(direction - walker.heading)
     back = off * wrapped(walker.course - walker.heading) > 0 and abs(DIRECTIONS[k]) < TURNS_TO
-    return min(max(off, -most), most) if abs(off) < TURNS_TO or back else 0.0
+    turned = min(max(off, -most), most) if abs(off) < TURNS_TO or back else 0.0
+    heading, far = walker.heading + turned, longest(biped, off - turned) * (1 - 0.4 * (turned / most) ** 2)
+    aside_x, aside_y = beside(biped, walker.side, (0.0, 0.0), heading)
+    return Bearing(cos(direction), sin(direction), heading, abs(heading - walker.heading), aside_x, aside_y, far)
 
 
 @jit_borrowing
-def longest_in(biped: Dimensions, walker: Walker, k: int) -> float:
-    """The longest step in direction k [m]."""
-    turn = _turned(biped, walker, k)
-    off = wrapped(walker.course + DIRECTIONS[k] - walker.heading)
-    return longest(biped, off - turn) * (1 - 0.4 * (turn / biped.reach.max_turn) ** 2)
-
-
-@jit_borrowing
-def candidate(biped: Dimensions, walker: Walker, k: int, length: float) -> Candidate:
-    """A step of a length [m] in direction k."""
-    direction = walker.course + DIRECTIONS[k]
-    x, y = walker.x + length * cos(direction), walker.y + length * sin(direction)
-    return candidate_to(biped, walker, (x, y), walker.heading + _turned(biped, walker, k))
+def candidate(biped: Dimensions, walker: Walker, to: Bearing, length: float) -> Candidate:
+    """A step of a length [m]."""
+    x, y = walker.x + length * to.ahead_x, walker.y + length * to.ahead_y
+    fx, fy = x + to.aside_x, y + to.aside_y
+    return Candidate(x, y, to.heading, fx, fy, _time(biped, walker, fx, fy, to.turn))
 
 
 @jit_borrowing
@@ -125,11 +140,15 @@ def is_open(round: Round, walker: Walker, step: Candidate) -> bool:
 
 @jit_borrowing
 def _gap_to(held: reservations.Reservations, walker: Walker, j: int, time: float, at: Place, face: Place) -> float:
-    """The gap between j's body at a time [s] and mine at a place [m], facing in the direction of that unit vector."""
+    """The gap between j's body at a time [s] and mine at a place [m], facing in the direction of that unit vector.
+
+    inf: they are too far apart to touch, whichever way they face.
+    """
     jx, jy = reservations.place_on_path(held, j, time, reservations.COMMITTED - 1)
-    mine, (x, y) = (walker.deep, walker.wide), at
+    mine, px, py = (walker.deep, walker.wide), jx - at[0], jy - at[1]
     its, looks = (held.half[j, 0], held.half[j, 1]), (held.face[j, 0], held.face[j, 1])
-    return gap_between(mine, face, its, looks, jx - x, jy - y)
+    largest = max(mine[0], mine[1]) + max(its[0], its[1]) + APART
+    return gap_between(mine, face, its, looks, px, py) if px * px + py * py < largest * largest else inf
 
 
 @jit_borrowing

@@ -6,14 +6,14 @@ or walls are in its way. What a step costs is told term by term (planner.crowd.t
 (planner.round.weights).
 """
 
-from math import cos, hypot, inf, sin
+from math import hypot, inf
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
 from planner.crowd import terms
-from planner.crowd.candidates import DIRECTIONS, QUICK, Candidate, candidate, crosses, is_free, is_open, longest_in
+from planner.crowd.candidates import DIRECTIONS, QUICK, Bearing, Candidate, bearing_of, candidate, crosses, is_free, is_open
 from planner.crowd.neighbour import NEIGHBOUR, see
 from planner.crowd.sides import on_the_right, wrong_side
 from planner.crowd.walker import Walker
@@ -38,12 +38,43 @@ STANDING = Candidate(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 """No step: its time is 0."""
 
 
+CANDIDATE = np.dtype([(name, np.float64) for name in Candidate._fields])
+
+
 class Scratch(NamedTuple):
-    """Room to work in."""
+    """Room to work in: of each direction, of standing, of the wish."""
 
     others: Any  # (K,) records of NEIGHBOUR: those near
-    cost: np.ndarray  # (WISH + 1,): of each direction, of standing, of the wish
-    length: np.ndarray  # (DIRECTIONS,) of the step in each [m]
+    cost: np.ndarray  # (WISH + 1,) what it costs, or no more than that
+    weighed: np.ndarray  # (WISH + 1,) bool: that is what it costs
+    length: np.ndarray  # (STAND,) of the step in each direction [m]; negative: claimed, but not taken
+    step: Any  # (WISH + 1,) records of CANDIDATE
+
+
+class Own(NamedTuple):
+    """What a step costs whoever is near, and its velocity."""
+
+    vx: float  # [m/s]
+    vy: float
+    going: float  # progress lost, and turn
+    side: float
+
+
+@jit_borrowing
+def _own_cost(round: Round, walker: Walker, right: float, step: Candidate, goes: bool) -> Own:
+    """Of a step, or of standing. right: of those who come against me (planner.crowd.sides)."""
+    weights = round.weights[round.kind[walker.c]]
+    vx, vy = ((step.x - walker.x) / step.time, (step.y - walker.y) / step.time) if goes else (0.0, 0.0)
+    going = weights.progress * terms.progress_lost(walker, vx, vy) + weights.turn * terms.turned(walker, step)
+    return Own(vx, vy, going, weights.side * wrong_side(walker, right, vx, vy))
+
+
+@jit_borrowing
+def least_cost(round: Round, walker: Walker, right: float, step: Candidate, goes: bool) -> float:
+    """What a step costs at least: others add to that (weights are not negative), also as numbers are rounded."""
+    own = _own_cost(round, walker, right, step, goes)
+    cost = own.going + own.side
+    return cost if goes else cost + round.weights[round.kind[walker.c]].stand
 
 
 @jit_borrowing
@@ -51,7 +82,8 @@ def cost_of(round: Round, walker: Walker, others: Any, right: float, step: Candi
     """What a step costs; one that does not `go` stands. right: of those who come against me (planner.crowd.sides)."""
     biped, weights = round.bipeds[round.kind[walker.c]], round.weights[round.kind[walker.c]]
     swing, stride = pendulum_time(biped.timing.hip_height), biped.gait.preferred_step
-    vx, vy = ((step.x - walker.x) / step.time, (step.y - walker.y) / step.time) if goes else (0.0, 0.0)
+    own = _own_cost(round, walker, right, step, goes)
+    vx, vy = own.vx, own.vy
     touch = near = yields = rest_x = rest_y = 0.0
     if goes:
         rest_x, rest_y = (
@@ -63,9 +95,9 @@ def cost_of(round: Round, walker: Walker, others: Any, right: float, step: Candi
         touch = max(touch, terms.danger(walker, other, vx, vy, weights.horizon, swing))
         near += terms.nearness(walker, other, vx, vy, step.time, weights.distance * stride)
         yields = max(yields, terms.in_the_way(walker, other, rest_x, rest_y))
-    cost = weights.progress * terms.progress_lost(walker, vx, vy) + weights.turn * terms.turned(walker, step)
+    cost = own.going
     cost += weights.touch * touch + weights.near * near
-    cost += weights.side * wrong_side(walker, right, vx, vy) + weights.rank * yields
+    cost += own.side + weights.rank * yields
     return cost if goes else cost + weights.stand
 
 
@@ -93,45 +125,77 @@ def _speed_in(round: Round, walker: Walker, others: Any, dx: float, dy: float) -
         stays = walker.wish_x == 0 and walker.wish_y == 0
         speed = SIDLES * walker.full if stays else max(walker.wish_x * dx + walker.wish_y * dy, 0.0)
     for i in range(len(others)):
-        speed = min(speed, terms.speed_behind(walker, others[i], dx, dy, QUICK * swing, gap))
+        speed = min(speed, terms.speed_behind(walker, others[i], dx, dy, QUICK * swing, gap, speed))
     return speed
 
 
 @jit_borrowing
-def _room_in(walker: Walker, others: Any, step: Candidate, dx: float, dy: float) -> float:
-    """How long a step in the direction of a unit vector may be until my body rests in another's that stops [m].
+def _room_in(walker: Walker, others: Any, to: Bearing, enough: float) -> float:
+    """How long a step in a direction may be until my body rests in another's that stops [m]; `enough` or more: so long.
 
-    step: one of no length in that direction. The body, between the feet, goes half as far as the foot.
+    The body, between the feet, goes half as far as the foot.
     """
-    x, y = 0.5 * (walker.foot_x + step.foot_x) - walker.rest_x, 0.5 * (walker.foot_y + step.foot_y) - walker.rest_y
+    x = 0.5 * (walker.foot_x + (walker.x + to.aside_x)) - walker.rest_x
+    y = 0.5 * (walker.foot_y + (walker.y + to.aside_y)) - walker.rest_y
     room = inf
     for i in range(len(others)):
-        way = terms.way_to(walker, others[i], others[i].rest_x - x, others[i].rest_y - y, dx, dy, NARROWER)
+        px, py = others[i].rest_x - x, others[i].rest_y - y
+        way = terms.way_to(walker, others[i], px, py, to.ahead_x, to.ahead_y, NARROWER, 0.5 * enough)
         if way > 0:
             room = min(room, way)
     return 2 * (room + walker.squeeze)
 
 
 @jit_borrowing
-def _lay(round: Round, walker: Walker, others: Any, right: float, wished: Candidate, scratch: Scratch) -> None:
-    """Fills what each direction, standing and the wish cost, and how long steps are; negative: claimed, but not taken."""
-    cost, length, biped = scratch.cost, scratch.length, round.bipeds[round.kind[walker.c]]
+def _lay(round: Round, walker: Walker, right: float, wished: Candidate, scratch: Scratch) -> None:
+    """Fills in the steps, and what each direction, standing and the wish cost at least."""
+    others, cost, weighed, length, step = scratch
+    biped = round.bipeds[round.kind[walker.c]]
     most, least = QUICK * pendulum_time(biped.timing.hip_height), LEAST * biped.gait.preferred_step
     for k in range(STAND):
-        angle, longest = walker.course + DIRECTIONS[k], longest_in(biped, walker, k)
-        speed = _speed_in(round, walker, others, cos(angle), sin(angle))
-        room = _room_in(walker, others, candidate(biped, walker, k, 0.0), cos(angle), sin(angle))
-        length[k] = min(speed * most, longest, max(room, least))
+        to = bearing_of(biped, walker, k)
+        speed = _speed_in(round, walker, others, to.ahead_x, to.ahead_y)
+        enough = min(speed * most, to.longest)
+        length[k] = min(enough, max(_room_in(walker, others, to, enough), least))
         if length[k] >= least:
-            length[k] = min(speed * candidate(biped, walker, k, length[k]).time, length[k])
+            length[k] = min(speed * candidate(biped, walker, to, length[k]).time, length[k])
         if length[k] < least:
-            length[k] = -CLAIMS * longest
-        cost[k] = cost_of(round, walker, others, right, candidate(biped, walker, k, abs(length[k])), True)
-    cost[STAND], cost[WISH] = cost_of(round, walker, others, right, wished, False), inf
+            length[k] = -CLAIMS * to.longest
+        _put(round, walker, right, k, candidate(biped, walker, to, abs(length[k])), scratch)
+    for k in (STAND, WISH):
+        _put(round, walker, right, k, wished, scratch)
     dx, dy = wished.x - walker.x, wished.y - walker.y
     far = hypot(dx, dy)
-    if wished.time > 0 and (far <= least or far <= HASTE * _speed_in(round, walker, others, dx / far, dy / far) * wished.time):
-        cost[WISH] = cost_of(round, walker, others, right, wished, True)
+    if not (
+        wished.time > 0 and (far <= least or far <= HASTE * _speed_in(round, walker, others, dx / far, dy / far) * wished.time)
+    ):
+        cost[WISH] = inf
+
+
+@jit_borrowing
+def _put(round: Round, walker: Walker, right: float, k: int, candidate: Candidate, scratch: Scratch) -> None:
+    """Makes a candidate the one of direction k, or what one would stand instead of, or the wish."""
+    step = scratch.step[k]
+    step.x, step.y, step.heading = candidate.x, candidate.y, candidate.heading
+    step.foot_x, step.foot_y, step.time = candidate.foot_x, candidate.foot_y, candidate.time
+    scratch.cost[k], scratch.weighed[k] = least_cost(round, walker, right, candidate, k != STAND), False
+
+
+@jit_borrowing
+def _cheapest(round: Round, walker: Walker, right: float, scratch: Scratch) -> int:
+    """Which option costs least, the first of those that do: weighed are only those that may (branch and bound)."""
+    cost, weighed, step = scratch.cost, scratch.weighed, scratch.step
+    k = int(np.argmin(cost))
+    while not weighed[k] and cost[k] < inf:
+        cost[k] = cost_of(round, walker, scratch.others, right, _candidate_in(step[k]), k != STAND)
+        weighed[k] = True
+        k = int(np.argmin(cost))
+    return k
+
+
+@jit_borrowing
+def _candidate_in(record: Any) -> Candidate:
+    return Candidate(record.x, record.y, record.heading, record.foot_x, record.foot_y, record.time)
 
 
 @jit
@@ -140,15 +204,16 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
 
     left: of where I should pass (Passage).
     """
-    scratch, c = Scratch(np.empty(len(near), NEIGHBOUR), np.empty(WISH + 1), np.empty(STAND)), walker.c
-    others, cost, length = scratch
+    others, cost = np.empty(len(near), NEIGHBOUR), np.empty(WISH + 1)
+    scratch, c = Scratch(others, cost, np.empty(WISH + 1, np.bool_), np.empty(STAND), np.empty(WISH + 1, CANDIDATE)), walker.c
+    length = scratch.length
     biped, aim = round.bipeds[round.kind[c]], (round.intents.aim[c, 0], round.intents.aim[c, 1])
     least, claimed = LEAST * biped.gait.preferred_step, False
     see(round.reservations, walker, aim, float(walker.hindered), near, others)
     right = max(on_the_right(walker, others, round.reservations.reach), left) if round.weights[round.kind[c]].side > 0 else 0.0
-    _lay(round, walker, others, right, wished, scratch)
+    _lay(round, walker, right, wished, scratch)
     while True:
-        k = int(np.argmin(cost))
+        k = _cheapest(round, walker, right, scratch)
         if k == STAND:
             if not claimed:
                 _claim(round, walker, others, walker.rest_x, walker.rest_y)
@@ -156,7 +221,7 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
         if claimed and k < STAND and length[k] < 0:
             cost[k] = inf
             continue
-        step = candidate(biped, walker, k, abs(length[k])) if k < STAND else wished
+        step = _candidate_in(scratch.step[k])
         if not crosses(biped, walker, step) and is_open(round, walker, step):
             if not claimed:
                 claimed = True
@@ -166,4 +231,4 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
         cost[k] = inf
         if k < STAND and length[k] * SHORTER_BY >= least:
             length[k] *= SHORTER_BY
-            cost[k] = cost_of(round, walker, others, right, candidate(biped, walker, k, length[k]), True)
+            _put(round, walker, right, k, candidate(biped, walker, bearing_of(biped, walker, k), length[k]), scratch)

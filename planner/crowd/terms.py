@@ -13,12 +13,14 @@ from motion.arithmetic.angles import wrapped
 from planner.crowd.bodies import extent, gap_between, way_to_touch
 from planner.crowd.candidates import Candidate
 from planner.crowd.walker import Walker
-from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.jit import jit_borrowing, jit_inline
 
 SOON = 0.5
 """Touches sooner than this, in swings, cost no more."""
 FADED = 4.0
 """Others further away than so many distances are not felt."""
+SURE = 1e-9
+"""What is beyond a bound by this [m], or share, is so however numbers are rounded."""
 SHOULDER = 0.85
 """Who would touch another only further aside than this, in the width of both, does not slow down: it turns the shoulder."""
 
@@ -43,12 +45,29 @@ def turned(walker: Walker, step: Candidate) -> float:
     return abs(wrapped(step.heading - walker.course)) + slant
 
 
-@jit_borrowing
-def way_to(walker: Walker, other: Any, px: float, py: float, dx: float, dy: float, part: float) -> float:
-    """The way [m] in direction d until my body touches the other's, which is at p; both are only `part` as wide as they are."""
-    largest = max(walker.deep, walker.wide) + max(other.deep, other.wide)
-    if px * dx + py * dy <= 0 or abs(px * dy - py * dx) >= largest:
+@jit_inline
+def _largest(walker: Walker, other: Any) -> float:
+    """Two whose middles are further apart than this [m] do not touch."""
+    return max(walker.deep, walker.wide) + max(other.deep, other.wide)
+
+
+@jit_inline
+def way_to(
+    walker: Walker, other: Any, px: float, py: float, dx: float, dy: float, part: float, most: float = inf
+) -> float:  # fmt: skip
+    """The way [m] in direction d until my body touches the other's, which is at p; both are only `part` as wide as they are.
+
+    inf: they do not, or certainly not within `most` [m].
+    """
+    largest, along = _largest(walker, other), px * dx + py * dy
+    if along <= 0 or abs(px * dy - py * dx) >= largest or along - largest > most + SURE:
         return inf
+    return _way_to_body(walker, other, px, py, dx, dy, part)
+
+
+@jit_borrowing
+def _way_to_body(walker: Walker, other: Any, px: float, py: float, dx: float, dy: float, part: float) -> float:
+    """The same, of one who is not far aside."""
     mine, face = (walker.deep, walker.wide), (walker.face_x, walker.face_y)
     its, looks = (other.deep, other.wide), (other.face_x, other.face_y)
     deep = extent(mine, face, dx, dy) + extent(its, looks, dx, dy)
@@ -56,24 +75,37 @@ def way_to(walker: Walker, other: Any, px: float, py: float, dx: float, dy: floa
     return way_to_touch(px, py, dx, dy, deep, wide)
 
 
-@jit_borrowing
-def speed_behind(walker: Walker, other: Any, dx: float, dy: float, time: float, gap: float) -> float:
-    """The speed [m/s] in the direction of a unit vector d that the time gap [s] to one ahead allows; inf: I pass it by.
+@jit_inline
+def speed_behind(
+    walker: Walker, other: Any, dx: float, dy: float, time: float, gap: float, most: float = inf
+) -> float:  # fmt: skip
+    """The speed [m/s] in the direction of a unit vector d that the time gap [s] to one ahead allows; inf: I pass it by, or it
+    allows more than `most`.
 
     v = s / gap (collision-free speed model, Tordeux, Chraibi & Seyfried 2016), where s is the way until the bodies touch when
     my step, which takes `time` [s], has landed, and the other has kept its pace along d: s = way - v time, so v = way / (gap +
     time). Its pace across d, or against it, does not count: those who converge on a door would all wait for each other.
     """
     far = time * max(other.vx * dx + other.vy * dy, 0.0)
-    way = way_to(walker, other, other.x + far * dx, other.y + far * dy, dx, dy, SHOULDER)
+    way = way_to(walker, other, other.x + far * dx, other.y + far * dy, dx, dy, SHOULDER, most * (gap + time))
     return inf if way == inf else max(way + walker.squeeze, 0.0) / (gap + time)
 
 
-@jit_borrowing
+@jit_inline
 def danger(walker: Walker, other: Any, vx: float, vy: float, horizon: float, swing: float) -> float:
     """1 / time to touch, in swings, beyond that of the horizon (time to collision; Karamouzas et al. 2014), times the speed at
     which they would touch, in the full one: who shuffles harms nobody."""
-    wx, wy = vx - other.vx, vy - other.vy
+    wx, wy, largest = vx - other.vx, vy - other.vy, _largest(walker, other)
+    along, aside, square = other.x * wx + other.y * wy, other.x * wy - other.y * wx, wx * wx + wy * wy
+    late, reach = along - horizon * swing * square, (1 + SURE) * largest * largest * square
+    if along < -SURE or aside * aside > reach or (late > 0 and late * late > reach):
+        return 0.0  # most do not touch, or too late: seen without a root, and with room for what is rounded
+    return _danger(walker, other, wx, wy, horizon, swing)
+
+
+@jit_borrowing
+def _danger(walker: Walker, other: Any, wx: float, wy: float, horizon: float, swing: float) -> float:
+    """The same, at a velocity w against the other."""
     speed = hypot(wx, wy)
     if speed < 1e-9:
         return 0.0
@@ -81,18 +113,23 @@ def danger(walker: Walker, other: Any, vx: float, vy: float, horizon: float, swi
     return speed / walker.full * (1 / max(time, SOON) - 1 / horizon) if time < horizon else 0.0
 
 
-@jit_borrowing
+@jit_inline
 def nearness(walker: Walker, other: Any, vx: float, vy: float, time: float, distance: float) -> float:
     """exp(-gap / distance) to another when my step has landed (social distance; Helbing & Molnar 1995)."""
     px, py = other.x + time * (other.vx - vx), other.y + time * (other.vy - vy)
     if px * px + py * py > (FADED * distance + walker.wide + other.wide) ** 2:
         return 0.0
-    mine, face = (walker.deep, walker.wide), (walker.face_x, walker.face_y)
-    gap = gap_between(mine, face, (other.deep, other.wide), (other.face_x, other.face_y), px, py)
-    return exp(-max(gap, 0.0) / distance)
+    return exp(-max(_gap(walker, other, px, py), 0.0) / distance)
 
 
 @jit_borrowing
+def _gap(walker: Walker, other: Any, px: float, py: float) -> float:
+    """The gap [m] between my body and the other's, which is at p."""
+    mine, face = (walker.deep, walker.wide), (walker.face_x, walker.face_y)
+    return gap_between(mine, face, (other.deep, other.wide), (other.face_x, other.face_y), px, py)
+
+
+@jit_inline
 def in_the_way(walker: Walker, other: Any, x: float, y: float) -> float:
     """How deep my body, resting at x, y, lies in the claim of one who has the right of way, in my half depth; at most 1.
 
@@ -102,6 +139,4 @@ def in_the_way(walker: Walker, other: Any, x: float, y: float) -> float:
     far = walker.wide + other.wide + walker.deep + other.deep
     if not (abs(px) < far and abs(py) < far):
         return 0.0
-    mine, face = (walker.deep, walker.wide), (walker.face_x, walker.face_y)
-    gap = gap_between(mine, face, (other.deep, other.wide), (other.face_x, other.face_y), px, py)
-    return min(max(-gap, 0.0) / walker.deep, 1.0)
+    return min(max(-_gap(walker, other, px, py), 0.0) / walker.deep, 1.0)

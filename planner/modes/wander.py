@@ -119,12 +119,12 @@ class Wander:
 
     def starts(self, world: World, characters: list[Character], seed: int) -> np.ndarray:
         """(C, 3) x, y, heading: the first at the world's start, the others where chance finds room."""
-        room = _Room(world, max(float(character.biped.body.radius) for character in characters))
-        places = [(*world.start, world.start_heading)]
+        radius = {each: float(one.biped.body.radius) for each, one in {id(one): one for one in characters}.items()}
+        room, places = _Room(world, max(radius.values())), [(*world.start, world.start_heading)]
         for c, character in enumerate(characters):
             if c > 0:
-                places.append(room.free_place(character, seed, c))
-            room.take(*places[c][:2], float(character.biped.body.radius))
+                places.append(room.free_place(character, radius[id(character)], seed, c))
+            room.take(*places[c][:2], radius[id(character)])
         return np.array(places, np.float64)
 
     def prepare(self, situation: Situation) -> Errands:
@@ -170,9 +170,10 @@ class _Room:
     def take(self, x: float, y: float, radius: float) -> None:
         self.taken.setdefault((int(x / self.cell), int(y / self.cell)), []).append((x, y, radius))
 
-    def free_place(self, character: Character, seed: int, c: int) -> tuple[float, float, float]:
-        """x, y, heading: the first of chance's places that is clear of the world and of those who stand."""
-        radius, size = float(character.biped.body.radius), self.world.size
+    def free_place(self, character: Character, radius: float, seed: int, c: int) -> tuple[float, float, float]:
+        """x, y, heading: the first of chance's places where one of this radius [m] is clear of the world and of those who
+        stand."""
+        size = self.world.size
         for k in range(TRIES):
             x, y = (size[i] * random.uniform(seed, c, 3 * k + i, random.PLACE) for i in (0, 1))
             if clearance(self.world.arrays, x, y) > radius + MARGIN and self._is_free(x, y, radius):

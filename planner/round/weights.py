@@ -5,6 +5,7 @@ scale of what it measures. Lengths and times are in the character's own units, s
 stride is its preferred step [m], a swing the pendulum time sqrt(h / g) of its hips [s].
 """
 
+from math import inf
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -41,5 +42,8 @@ WEIGHTS = np.dtype([(name, np.float64) for name in Weights._fields])
 
 
 def table_of_weights(weights: Weights, kinds: int) -> Any:
-    """(kinds,) records of WEIGHTS, for kernels."""
+    """(kinds,) records of WEIGHTS, for kernels. Raises ValueError for a weight below 0: bounds of costs count on that."""
+    for name, weight in weights._asdict().items():
+        if not 0 <= weight < inf:
+            raise ValueError(f"weights.{name}: {weight} is no weight of a step's cost; allowed are numbers from 0 on")
     return np.array([weights] * kinds, WEIGHTS).view(np.recarray)

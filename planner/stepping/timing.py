@@ -142,19 +142,35 @@ def step_timing(
     walk, in pendulum times. running: who runs goes on running, and leaps only from further on. before: speed of the step
     before [m/s]: nobody breaks from a walk into a run at once, nor out of one.
     """
-    law, unit = biped.timing, hip_pendulum(biped)
+    law = biped.timing
     slower = 1 + law.turn_slowdown * turn + law.rise_slowdown * max(rise, 0.0) / law.hip_height
     if length > (RUNNERS_LEAP if running else 1.0) * biped.reach.leap_length or same_side:
         return _leap(biped, length, rise, slower)
+    step = _time(biped, length, rise, longest, before) * slower
+    froude = froude_number(length, step, law.hip_height)
+    return step, _snap(step, 2 * duty_factor(froude, law.gait_smoothness, law.walking_duty) * step)
+
+
+@jit_borrowing
+def level_time(biped: Dimensions, length: float, turn: float, longest: float) -> float:
+    """The step time [s] of `step_timing` on level ground, alone."""
+    slower = 1 + biped.timing.turn_slowdown * turn
+    if length > biped.reach.leap_length:
+        return _leap(biped, length, 0.0, slower)[0]
+    return _time(biped, length, 0.0, longest, inf) * slower
+
+
+@jit_borrowing
+def _time(biped: Dimensions, length: float, rise: float, longest: float, before: float) -> float:
+    """Step time [s] of a walk or a run straight on."""
+    law, unit = biped.timing, hip_pendulum(biped)
     level = level_length(biped, max(length, 1e-3), rise)
     v = pace_of(biped, level)
     if before < BREAKS_INTO * v:  # too slow to break into a run: a fast walk
         v = min(v, max(sqrt(FAST_WALK * GRAVITY * law.hip_height), before / BREAKS_INTO))
     if RUNS_FROM * GRAVITY * law.hip_height < before * before < inf:  # too fast to walk at once
         v = max(v, SLOWS_TO * before)
-    step = min(max(level / v, SHORTEST_STEP * unit), longest * unit) * slower
-    froude = froude_number(length, step, law.hip_height)
-    return step, _snap(step, 2 * duty_factor(froude, law.gait_smoothness, law.walking_duty) * step)
+    return min(max(level / v, SHORTEST_STEP * unit), longest * unit)
 
 
 @jit_borrowing

@@ -11,7 +11,7 @@ import numpy as np
 
 from motion.characters.character import load_character
 from planner.modes.wander import Wander
-from sim.bench import crowds, learning, live, solver
+from sim.bench import crowds, jams, learning, live, solver
 from sim.stage.simulation import Simulation
 from worlds.level import load_level
 
@@ -24,20 +24,24 @@ FRAMES = (1, 100, 1000)
 """Characters in view, of which frames per second are told."""
 
 
-def run(quick: bool, only: str | None = None) -> dict:
+Jam = Callable[[float], Simulation]
+"""Makes people on a ring, so many per square metre."""
+
+
+def run(quick: bool, jam: Jam, only: str | None = None) -> dict:
     """All figures (README, Benchmarks), or one part of them. quick: fewer repetitions, no crowd above 100."""
     report: dict = {}
     for part in PARTS if only is None else (only,):
-        report |= PARTS[part](quick)
+        report |= PARTS[part](quick, jam)
     return report
 
 
-def _crowds(quick: bool) -> dict:
+def _crowds(quick: bool, _: Jam) -> dict:
     by_count = {str(n): crowds.measure(n, seconds) for n, seconds in (QUICK_CROWDS if quick else CROWDS)}
     return {"crowd": by_count, "crowd_growth_exponent": crowds.growth(by_count)}
 
 
-def _frames(quick: bool) -> dict:
+def _frames(quick: bool, _: Jam) -> dict:
     by_characters = {str(n): frames(n, 20 if quick else 60) for n in FRAMES}
     return {"frames_per_second": by_characters["1"], "frames_per_second_by_characters": by_characters}
 
@@ -80,12 +84,13 @@ def frames(n: int, count: int) -> float | None:
     return 1 / median(seconds[5:])
 
 
-PARTS: dict[str, Callable[[bool], dict]] = {
-    "solver": lambda quick: {"solver": solver.compare(5 if quick else 21)},
-    "window": lambda quick: {"window": live.report()},
+PARTS: dict[str, Callable[[bool, Jam], dict]] = {
+    "solver": lambda quick, _: {"solver": solver.compare(5 if quick else 21)},
+    "window": lambda quick, _: {"window": live.report()},
     "crowd": _crowds,
-    "learning": lambda quick: {"learning": learning.report(500 if quick else 3000)},
-    "startup": lambda quick: {"startup_s": startup(1 if quick else 3)},
+    "jam": lambda quick, jam: {"jam": jams.report(jam, *((2.0, 300) if quick else (10.0, jams.MANY)))},
+    "learning": lambda quick, _: {"learning": learning.report(500 if quick else 3000)},
+    "startup": lambda quick, _: {"startup_s": startup(1 if quick else 3)},
     "frames": _frames,
 }
 """What is measured, by names."""
@@ -103,6 +108,7 @@ def in_words(report: dict) -> str:
     lines += crowds.in_words(report.get("crowd", {}))
     if report.get("crowd_growth_exponent"):
         lines.append(f"cost grows as characters^{report['crowd_growth_exponent']:.2f} from 1000 on")
+    lines += jams.in_words(report["jam"]) if "jam" in report else []
     lines += learning.in_words(report.get("learning", {}))
     if "startup_s" in report:
         lines.append(f"start-up {report['startup_s']:.2f} s")

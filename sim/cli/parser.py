@@ -156,7 +156,7 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     check.add_argument("files", nargs="+", metavar="FILE")
     bench = commands.add_parser("bench", help="measure speed against other solvers")
     bench.add_argument("--quick", action="store_true", help="fewer repetitions and smaller crowds")
-    bench.add_argument("--only", metavar="PART", help="measure solver, window, crowd, learning, startup or frames alone")
+    bench.add_argument("--only", metavar="PART", help="measure solver, window, crowd, jam, learning, startup or frames alone")
     bench.add_argument("--plot", metavar="OUT.png", help="draw how crowds keep real time, and what a step costs")
     for report in (measure, timing, literature, verify, bench):
         report.add_argument("--json", action="store_true")

@@ -57,13 +57,14 @@ def people(options: Any) -> None:
 def bench(options: Any) -> None:
     """Speed against other solvers."""
     from sim.bench import report
+    from sim.reports import flows
 
     _check_plot(options.plot)
     if options.only not in (None, *report.PARTS):
         raise InputError(f"--only {options.only}: there are {', '.join(report.PARTS)}")
     if options.plot and options.only not in (None, "crowd"):
         raise InputError(f"--plot draws crowds, and --only {options.only} measures none: leave one of them out")
-    results = report.run(options.quick, options.only)
+    results = report.run(options.quick, flows.ring, options.only)
     if options.plot:
         _plots().plot_crowds(results["crowd"], options.plot)
         _say_plot(options)

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from motion.characters.character import load_character
 from planner.crowd import terms
 from planner.crowd.bodies import extent, gap_between, way_to_touch
-from planner.crowd.candidates import DIRECTIONS, candidate, candidate_to, crosses, longest, longest_in
+from planner.crowd.candidates import DIRECTIONS, bearing_of, candidate, candidate_to, crosses, longest
 from planner.crowd.neighbour import NEIGHBOUR
 from planner.crowd.sides import on_the_right, wrong_side
 from planner.crowd.walker import Walker
@@ -140,17 +140,23 @@ def test_candidates_reach_as_far_as_a_leg_steps():
     assert longest(B, 0.0) == pytest.approx(0.7) and longest(B, np.pi / 2) == pytest.approx(0.35) == pytest.approx(
         longest(B, np.pi)
     )
-    assert longest_in(B, me, 0) == pytest.approx(0.7)
+    assert bearing_of(B, me, 0).longest == pytest.approx(0.7)
     for k in range(len(DIRECTIONS)):
-        step = candidate(B, me, k, longest_in(B, me, k))
+        to = bearing_of(B, me, k)
+        step = candidate(B, me, to, to.longest)
         assert np.hypot(step.x - 5, step.y - 5) <= 0.7 + 1e-9 and abs(step.heading) <= B.reach.max_turn + 1e-9
         assert np.arctan2(step.y - 5, step.x - 5) == pytest.approx(DIRECTIONS[k])
 
 
+def stepping_aside(me, k):
+    """A step of 0.2 m in direction k."""
+    return candidate(B, me, bearing_of(B, me, k), 0.2)
+
+
 def test_who_faces_away_from_its_course_turns_to_it_as_it_steps():
     most = B.reach.max_turn
-    assert candidate(B, waiting(course=1.8), 0, 0.2).heading == pytest.approx(most), "rather than to step aside for ever"
-    assert candidate(B, waiting(), 9, 0.2).heading == 0, "who faces its course steps aside"
+    assert stepping_aside(waiting(course=1.8), 0).heading == pytest.approx(most), "rather than to step aside for ever"
+    assert stepping_aside(waiting(), 9).heading == 0, "who faces its course steps aside"
 
 
 def test_no_foot_comes_down_across_the_other():
