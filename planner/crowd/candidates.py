@@ -40,7 +40,7 @@ QUICK = 1.3
 
 FOOT_MARGIN = 0.01
 """Room kept between soles [m]."""
-GRAZE = 0.12
+GRAZE = 0.25
 """Bodies may come so much closer, in half depths, than they should, or are, on their way to where they are not too close."""
 LOOKS = 4
 """Moments of a step at which bodies are looked at."""
