@@ -40,7 +40,7 @@ QUICK = 1.3
 
 FOOT_MARGIN = 0.01
 """Room kept between soles [m]."""
-GRAZE = 0.12
+GRAZE = 0.25
 """Bodies may come so much closer, in half depths, than they should, or are, on their way to where they are not too close."""
 APART = 1e-9
 """Bodies that are further apart than the largest axes of both by this [m] do not touch, however numbers are rounded."""

@@ -30,6 +30,8 @@ NEIGHBOUR = np.dtype(
 )
 LEAST_STEP = 0.1
 """Steps of less than this time [s] tell no velocity."""
+ALIKE = 0.5
+"""The cosine between two wishes from which on they are alike: none of them has the right of way, who is ahead goes ahead."""
 
 
 class Neighbour:
@@ -56,7 +58,7 @@ def see(held: Reservations, walker: Walker, aim: Place, rank: float, near: np.nd
     """Fills others (K,) with those `near` (K,), as my body comes to rest beside my last footprint.
 
     Everyone is expected to keep its pace: that of its last step. `aim` and `rank` are mine; of equal ranks the lower number
-    goes first.
+    goes first. In a queue nobody has the right of way: all would wait for the one who has waited longest.
     """
     rest = COMMITTED - 1
     for i, j in enumerate(near):
@@ -74,5 +76,5 @@ def see(held: Reservations, walker: Walker, aim: Place, rank: float, near: np.nd
         other.face_x, other.face_y = held.face[j, 0], held.face[j, 1]
         other.along = held.aim[j, 0] * aim[0] + held.aim[j, 1] * aim[1]
         other.rank, other.claim_x, other.claim_y = held.rank[j], inf, inf
-        if other.rank > 0 and (other.rank > rank or (other.rank == rank and j < walker.c)):
+        if other.rank > 0 and other.along < ALIKE and (other.rank > rank or (other.rank == rank and j < walker.c)):
             other.claim_x, other.claim_y = held.claim[j, 0] - walker.rest_x, held.claim[j, 1] - walker.rest_y

@@ -98,11 +98,11 @@ def test_who_meet_head_on_pass_each_other():
     assert np.linalg.norm(sim.snapshot().com[:, :2] - planner.stops[:, 0], axis=1).max() < 0.6
 
 
-def facing(x, y, claim=(0.0, 0.0), rank=0.0, hindered=0):
-    """What one who stands at 5, 5 sees of another who stands at x, y, wishes to go toward -x, and claims a place."""
+def facing(x, y, claim=(0.0, 0.0), rank=0.0, hindered=0, aim=(-1.0, 0.0)):
+    """What one who stands at 5, 5, on its way to +x, sees of another who stands at x, y, and claims a place."""
     held = nothing_held()
     held.path[0, :, :2], held.path[1, :, :2] = (5, 5), (x, y)
-    held.aim[1], held.claim[1], held.rank[1] = (-1.0, 0.0), claim, rank
+    held.aim[1], held.claim[1], held.rank[1] = aim, claim, rank
     found = np.zeros(1, NEIGHBOUR)
     see(held, waiting(hindered), (1.0, 0.0), float(hindered), np.array([1]), found)
     return held, found[0]
@@ -113,6 +113,11 @@ def test_only_a_claim_of_higher_rank_counts():
     assert np.isinf(facing(5.6, 5.0, (5.3, 5.0), 6.0, 7)[1]["claim_x"])
     assert np.isinf(facing(5.6, 5.0, (5.3, 5.0), 6.0, 6)[1]["claim_x"]), "of equal ones the lower number goes first"
     assert np.isinf(facing(5.6, 5.0)[1]["claim_x"]), "who does not wait claims nothing"
+
+
+def test_nobody_in_a_queue_has_the_right_of_way():
+    claims = [facing(5.6, 5.0, (5.3, 5.0), 6.0, 0, (np.cos(a), np.sin(a)))[1]["claim_x"] for a in (0.0, 1.0, 1.1, 2.0, 3.0)]
+    np.testing.assert_allclose(claims, [np.inf, np.inf, 0.3, 0.3, 0.3], atol=1e-12)
 
 
 def test_others_are_expected_to_keep_the_pace_of_their_last_step():
