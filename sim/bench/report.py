@@ -11,7 +11,7 @@ import numpy as np
 
 from motion.characters.character import load_character
 from planner.modes.wander import Wander
-from sim.bench import crowds, learning, live, solver
+from sim.bench import crowds, driven, learning, live, solver
 from sim.stage.simulation import Simulation
 from worlds.level import load_level
 
@@ -87,6 +87,7 @@ PARTS: dict[str, Callable[[bool], dict]] = {
     "learning": lambda quick: {"learning": learning.report(500 if quick else 3000)},
     "startup": lambda quick: {"startup_s": startup(1 if quick else 3)},
     "frames": _frames,
+    "driven": lambda quick: {"driven": driven.report(quick, SIZE)},
 }
 """What is measured, by names."""
 
@@ -110,6 +111,7 @@ def in_words(report: dict) -> str:
         rates = report["frames_per_second_by_characters"]
         told = ", ".join(f"{rate:.0f} with {n}" for n, rate in rates.items() if rate)
         lines.append(f"frames/s: {told} in view" if told else "frames/s: no OpenGL here")
+    lines += driven.in_words(report.get("driven", {}))
     return "\n".join(lines)
 
 
