@@ -16,7 +16,7 @@ from sim.files.studio.document import Document, Spot, footprints_in, new_documen
 from sim.files.studio.edits import Edit
 from sim.files.studio.history import begun, tried
 from sim.files.studio.keeping import Autosave, Opened
-from sim.files.studio.walked import document_in
+from sim.files.studio.runs.walked import document_in
 from sim.stage.performance import Rehearsal
 from worlds.errors import InputError
 
@@ -62,7 +62,8 @@ class Playing:
     loop: tuple[float, float] | None = None
 
     def advance(self, seconds: float, end: float) -> None:
-        """Lets wall time pass; at the end it begins anew."""
+        """Lets wall time pass; at the end it begins anew. No time beyond the end is shown."""
+        self.time = min(self.time, end)
         if not self.on:
             return
         first, last = self.loop or (0.0, end)
