@@ -15,6 +15,7 @@ from motion.com.problem import Layout, Problem
 from motion.track import foot, phases
 from motion.track.footprints import LEFT, Footprints
 from motion.track.heading import body_headings
+from motion.track.leg import FULL_REACH, landing_reach, leaving_reach, nominal_at
 from motion.track.pelvis import pelvis_between, pelvis_turns
 from motion.track.pieces import BRIEF, flies, flown, in_pieces
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
@@ -131,7 +132,7 @@ def _lay_sample(biped: Dimensions, stance: Stance, problem: Problem, i: int, j: 
                 _standing_point(biped, stance, n, u, foot.pressing_at(biped, footprints, n, u), 0.0),
             )
             _put(problem.leg_origin, j, leg, i, _origin(biped, stance, n, leg, moment, u))
-            problem.nominal_length[j, leg, i] = foot.nominal_at(biped, footprints, n, u)
+            problem.nominal_length[j, leg, i] = nominal_at(biped, footprints, n, u)
 
 
 @jit_inline
@@ -181,7 +182,7 @@ def build_problem(
         time, support, m = cut.time, cut.support, len(cut.support)
     leg, smooth = biped.leg, layout.smooth
     problem = problems.empty_problem(
-        m, layout.samples, leg.nominal_length, foot.FULL_REACH * leg.max_length, leg.comfort_weight, smooth,
+        m, layout.samples, leg.nominal_length, FULL_REACH * leg.max_length, leg.comfort_weight, smooth,
         STRENGTH * GRAVITY if smooth else np.inf, JERK_WEIGHT if smooth else 0.0,
     )  # fmt: skip
     if smooth:
@@ -221,6 +222,6 @@ def _limit_ends(biped: Dimensions, footprints: Footprints, problem: Problem, sup
             if left == landed:
                 continue
             if landed > 0:
-                problem.end_reach[0, i] = min(problem.end_reach[0, i], foot.landing_reach(biped, footprints, landed))
+                problem.end_reach[0, i] = min(problem.end_reach[0, i], landing_reach(biped, footprints, landed))
             if 0 <= left < len(footprints.side) - 1:
-                problem.end_reach[1, i - 1] = min(problem.end_reach[1, i - 1], foot.leaving_reach(biped, footprints, left + 1))
+                problem.end_reach[1, i - 1] = min(problem.end_reach[1, i - 1], leaving_reach(biped, footprints, left + 1))

@@ -6,6 +6,7 @@ from motion.arithmetic.gravity import pendulum_time
 from motion.characters.dimensions import Dimensions
 from motion.track import foot
 from motion.track.footprints import Footprints
+from motion.track.leg import FULL_REACH
 from motion.track.pelvis import pelvis_at
 from worlds.compiled.jit import jit, jit_borrowing
 from worlds.compiled.tables import newest
@@ -33,7 +34,7 @@ def above_feet(biped: Dimensions, footprints: Footprints, control: np.ndarray) -
         ankle = foot.stance_ankle(biped, footprints, i, 0.0)
         hip = foot.hip_offset(biped, footprints.side[i], yaw + turn, roll)
         x, y = control[0] + hip[0] - ankle[0], control[1] + hip[1] - ankle[1]
-        leg = min(footprints.nominal_length[i], foot.FULL_REACH * biped.leg.max_length)
+        leg = min(footprints.nominal_length[i], FULL_REACH * biped.leg.max_length)
         rise = max(leg**2 - x * x - y * y, 0.0) ** 0.5
         control[2] = min(control[2], ankle[2] - hip[2] + rise)
 

@@ -12,6 +12,7 @@ from motion.pose import legs, swing
 from motion.pose.pose import Pose
 from motion.track import foot
 from motion.track.footprints import Footprints
+from motion.track.leg import landing_reach, leaving_reach
 from worlds.compiled.jit import jit_borrowing, jit_inline
 
 FREE_REACH, FIRM_REACH = 0.93, 0.9985
@@ -127,7 +128,7 @@ def _limited(length: float, free: float, full: float) -> float:
 @jit_borrowing
 def _kept_back(biped: Dimensions, footprints: Footprints, last: int, following: int) -> tuple[float, float]:
     """Shares of its reach that a swinging leg does not take, as it leaves and as it lands (motion.track.foot)."""
-    return 1 - foot.leaving_reach(biped, footprints, last + 1), 1 - foot.landing_reach(biped, footprints, following)
+    return 1 - leaving_reach(biped, footprints, last + 1), 1 - landing_reach(biped, footprints, following)
 
 
 @jit_borrowing

@@ -12,6 +12,7 @@ from motion.pose.pose import Pose, empty_pose
 from motion.track import foot, heading, phases
 from motion.track.curve import Curve, Track, evaluate
 from motion.track.footprints import LEFT, Footprints
+from motion.track.leg import nominal_at
 from motion.track.pelvis import pelvis_at
 from worlds.compiled.jit import jit_borrowing, jit_inline
 from worlds.compiled.parts import Part, call, handle
@@ -23,7 +24,7 @@ def _comfort_cost(biped: Dimensions, footprints: Footprints, n: int, t: float, p
     """Of a leg that footprint n carries (paper, section 2.4)."""
     x, y = pose.hip[c, leg, 0] - pose.ankle[c, leg, 0], pose.hip[c, leg, 1] - pose.ankle[c, leg, 1]
     z = pose.hip[c, leg, 2] - pose.ankle[c, leg, 2]
-    nominal = foot.nominal_at(biped, footprints, n, foot.stance_share(footprints, n, t))
+    nominal = nominal_at(biped, footprints, n, foot.stance_share(footprints, n, t))
     return biped.leg.comfort_weight * (np.sqrt(x * x + y * y + z * z) - nominal) ** 2
 
 

@@ -92,7 +92,7 @@ PARTS: dict[str, Callable[[bool, Jam], dict]] = {
     "learning": lambda quick, _: {"learning": learning.report(500 if quick else 3000)},
     "startup": lambda quick, _: {"startup_s": startup(1 if quick else 3)},
     "frames": _frames,
-    "driven": lambda quick: {"driven": driven.report(quick, SIZE)},
+    "driven": lambda quick, _: {"driven": driven.report(quick, SIZE)},
 }
 """What is measured, by names."""
 
