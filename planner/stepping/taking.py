@@ -97,6 +97,8 @@ def _timing(biped: Dimensions, footprints: Footprints, n: int, wish: Wish) -> tu
     step, stance = timing.step_timing(biped, length, rise(footprints, n), turn, hop, wish.longest, running, before)
     overlap = footprints.contact_time[n - 2] + footprints.stance_time[n - 2] - footprints.contact_time[n - 1]
     longer = max(timing.least_step_time(biped, overlap) - step, 0.0)
+    if stance < step:  # a flight: who leaps from a foot pushes with it once the other one has left
+        longer = max(longer, overlap + timing.least_push(biped) - stance)
     return _as_asked(asked, step + longer, stance + longer)
 
 

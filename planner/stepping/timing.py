@@ -35,6 +35,9 @@ LEAST_SWING = 0.9
 """Shortest time for a swing, in pendulum times."""
 PUSH, LEAST_PUSH, COVER = 0.9, 0.5, 1.3
 """Stance before a leap: longest and shortest, in pendulum times, and in times that the leg's reach is crossed at its speed."""
+ALONE = 0.42
+"""Shortest time, in pendulum times, for which a foot pushes alone before a flight: the other one, which is to land, is ahead by
+then. From a stand one shifts the weight for long, and the leg that was left behind would be torn off the ground."""
 DESCENT_CROUCH = 0.25
 """Share by which the nominal leg is shorter for a step one hip height down: legs bend to take it."""
 UPRIGHT = 0.25
@@ -116,6 +119,12 @@ def nominal_length(biped: Dimensions, length: float, step_time: float, rise: flo
 def least_step_time(biped: Dimensions, overlap: float) -> float:
     """Shortest step time after an overlap [s] of double stance, so that the leg has time to swing."""
     return max(overlap, 0.0) + LEAST_SWING * hip_pendulum(biped)
+
+
+@jit_borrowing
+def least_push(biped: Dimensions) -> float:
+    """Shortest time for which a foot stands alone before a flight [s]."""
+    return ALONE * hip_pendulum(biped)
 
 
 @jit_borrowing

@@ -2,7 +2,6 @@
 
 from statistics import median
 from time import perf_counter
-from typing import Any
 
 import numba
 import numpy as np
@@ -17,6 +16,7 @@ from sim.stage.simulation import Simulation
 from worlds.compiled.jit import jit
 from worlds.compiled.memory import Held
 from worlds.compiled.parts import call
+from worlds.compiled.tables import copied
 from worlds.world import World
 
 SETTLE = 90
@@ -85,7 +85,7 @@ def _run(sim: Simulation, seconds: float) -> tuple[list[float], list[float]]:
 
 def _parts(sim: Simulation, pose_seconds: float) -> dict:
     """Microseconds of one core: of planning and of optimising a step, told on a copy of the crowd, and of a pose."""
-    crowd = _copied(sim.crowd)
+    crowd = copied(sim.crowd)
     rows = np.sort(np.argsort(sim.reservations.due, kind="stable")[:SAMPLE])
     reservations.sort_into_cells(sim.reservations)
     parts, round = rounds.compiled_parts(), Held(sim.work.value.round._replace(intents=crowd.intents), ROUND)
@@ -119,11 +119,6 @@ def _size(table: object) -> int:
     if isinstance(table, tuple):
         return sum(_size(part) for part in table)
     return table.nbytes if isinstance(table, np.ndarray) else 0
-
-
-def _copied(table: Any) -> Any:
-    """A tuple of arrays, and of such tuples, copied."""
-    return type(table)(*(_copied(part) for part in table)) if isinstance(table, tuple) else table.copy()
 
 
 def growth(by_count: dict[str, dict]) -> float | None:

@@ -11,7 +11,7 @@ import numpy as np
 
 from motion.characters.character import load_character
 from planner.modes.wander import Wander
-from sim.bench import crowds, jams, learning, live, solver
+from sim.bench import crowds, driven, jams, learning, live, solver
 from sim.stage.simulation import Simulation
 from worlds.level import load_level
 
@@ -92,6 +92,7 @@ PARTS: dict[str, Callable[[bool, Jam], dict]] = {
     "learning": lambda quick, _: {"learning": learning.report(500 if quick else 3000)},
     "startup": lambda quick, _: {"startup_s": startup(1 if quick else 3)},
     "frames": _frames,
+    "driven": lambda quick, _: {"driven": driven.report(quick, SIZE)},
 }
 """What is measured, by names."""
 
@@ -116,6 +117,7 @@ def in_words(report: dict) -> str:
         rates = report["frames_per_second_by_characters"]
         told = ", ".join(f"{rate:.0f} with {n}" for n, rate in rates.items() if rate)
         lines.append(f"frames/s: {told} in view" if told else "frames/s: no OpenGL here")
+    lines += driven.in_words(report.get("driven", {}))
     return "\n".join(lines)
 
 

@@ -27,6 +27,7 @@ COMMANDS = {
     "import-trackway": "imports.trackway",
     "import-trajectories": "imports.trajectories",
     "verify": "reporting.verified",
+    "trials": "trying.trials",
 }
 
 

@@ -152,13 +152,18 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     verify.add_argument("--ablation", action="store_true", help="only the table of what each term of the costs pays")
     verify.add_argument("--trajectories", metavar="FOLDER", help="write where everyone went, as PedPy reads it")
     verify.add_argument("--pictures", metavar="FOLDER", help="draw speeds, flows, lanes and where it is dense")
+    trials = commands.add_parser("trials", help="drive characters about levels by keys of chance; measure what may go wrong")
+    trials.add_argument("levels", nargs="*", metavar="LEVEL", help="levels that ship, or .toml files; by default all that ship")
+    trials.add_argument("--character", help="bird, dinosaur, human, ostrich, or a .toml file; by default all that ship")
+    trials.add_argument("--seconds", type=values.seconds, default=600.0, metavar="T", help="simulated, for each of them")
+    trials.add_argument("--seed", type=values.seed, default=1, help="of chance; the same one is the same trial")
     check = commands.add_parser("check", help="check level, scene and character files; names every fault")
     check.add_argument("files", nargs="+", metavar="FILE")
     bench = commands.add_parser("bench", help="measure speed against other solvers")
     bench.add_argument("--quick", action="store_true", help="fewer repetitions and smaller crowds")
-    bench.add_argument("--only", metavar="PART", help="measure solver, window, crowd, jam, learning, startup or frames alone")
+    bench.add_argument("--only", metavar="PART", help="solver, window, crowd, jam, learning, startup, frames or driven alone")
     bench.add_argument("--plot", metavar="OUT.png", help="draw how crowds keep real time, and what a step costs")
-    for report in (measure, timing, literature, verify, bench):
+    for report in (measure, timing, literature, verify, trials, bench):
         report.add_argument("--json", action="store_true")
 
 

@@ -7,7 +7,7 @@ from typing import Any
 from sim.cli import agreeing
 from sim.cli.show import show
 from sim.stage.cast import Cast
-from sim.stage.commands import steer
+from sim.stage.commands import steer_by_chance
 from sim.stage.simulation import Simulation
 from sim.view.window.choosing import maker
 from worlds.level import level_names, visited_names
@@ -30,12 +30,10 @@ def _names(command: str) -> list[str]:
 
 def _hands(options: Any) -> tuple[Callable[[Cast], None], ...]:
     """Who presses the keys of a run that has no window: chance, by the run's seed."""
-    return (pressed_by_chance,) if options.command == "steer" else ()
+    return (_pressed_by_chance,) if options.command == "steer" else ()
 
 
-def pressed_by_chance(sim: Cast) -> None:
+def _pressed_by_chance(sim: Cast) -> None:
     """Keys by chance, for everyone, after a tick."""
-    if isinstance(sim, Simulation) and (by_chance := getattr(sim.planner, "by_chance", None)):
-        wish = by_chance(sim.seed, sim.ticks, len(sim.characters))
-        if wish is not None:
-            steer(sim, *wish)
+    if isinstance(sim, Simulation):
+        steer_by_chance(sim)

@@ -55,6 +55,14 @@ def steer(
         apply(sim, Steer.of(who[new], *(np.broadcast_to(np.array(wish), (len(who),))[new] for wish in command.wish)))
 
 
+def steer_by_chance(sim: Simulation) -> None:
+    """Keys by chance for everyone who is driven, after a tick, as a person would press them; else nothing."""
+    by_chance = getattr(sim.planner, "by_chance", None)
+    wish = by_chance(sim.seed, sim.ticks, len(sim.characters)) if by_chance else None
+    if wish is not None:
+        steer(sim, *wish)
+
+
 def from_plain(plain: dict) -> Command:
     """The command that `as_plain` described. Raises InputError."""
     values: dict[str, Any] = dict(plain)

@@ -58,8 +58,8 @@ def picked(table: Table, index: Any) -> Table:
 
 
 def copied(table: Table) -> Table:
-    """The same, to keep."""
-    return type(table)(*(column.copy() for column in table))
+    """The same, to keep; its columns may be tables, too."""
+    return type(table)(*(column.copy() if isinstance(column, np.ndarray) else copied(column) for column in table))
 
 
 def _tuple_type(columns: list, kind: type) -> Any:

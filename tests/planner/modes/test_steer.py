@@ -8,12 +8,11 @@ from planner.modes.steer import Steered
 from planner.modes.wander import Wander
 from planner.stepping.footing import FINE, why_not_stand
 from planner.stepping.placing import EDGE
-from sim.cli.walks import pressed_by_chance
 from sim.files.archive import flat
 from sim.files.recording import Recorder
 from sim.files.saving import restore, save
 from sim.reports.measure import measure
-from sim.stage.commands import SetGoal, apply, replay, steer
+from sim.stage.commands import SetGoal, apply, replay, steer, steer_by_chance
 from sim.stage.making import make_steered
 from sim.stage.simulation import Simulation
 from tests.worlds_by_chance import JUMP
@@ -156,7 +155,7 @@ def test_keys_by_chance_bring_nobody_where_no_foot_may_be(level, name):
     recorder = Recorder(sim)
 
     def hand(sim):
-        pressed_by_chance(sim)
+        steer_by_chance(sim)
         recorder.capture()
 
     assert largest_jump(sim, 3600, hand) < JUMP
@@ -200,11 +199,11 @@ def same(a, b):
 
 
 def test_a_replay_and_a_restored_state_are_the_same_to_the_bit(tmp_path):
-    sim = ticked(driven_crowd(), 400, pressed_by_chance)
+    sim = ticked(driven_crowd(), 400, steer_by_chance)
     save(sim, tmp_path / "s.npz")
     restored = restore(tmp_path / "s.npz")
     assert same(restored, sim)
-    ticked(sim, 300, pressed_by_chance), ticked(restored, 300, pressed_by_chance)
+    ticked(sim, 300, steer_by_chance), ticked(restored, 300, steer_by_chance)
     assert same(restored, sim)
     again = driven_crowd()
     replay(again, sim.changes, sim.ticks)
@@ -216,7 +215,7 @@ def test_those_who_are_driven_keep_off_each_other():
     radius = float(sim.bipeds["body"]["radius"][0])
     for _ in range(900):
         sim.tick()
-        pressed_by_chance(sim)
+        steer_by_chance(sim)
         com = sim.com()[:, :2]
         apart = np.linalg.norm(com[:, None] - com[None], axis=2) + 9 * np.eye(len(com))
         assert apart.min() > 1.6 * radius
