@@ -11,6 +11,8 @@ from planner.script.path import Path, footprints_along
 from planner.script.shaping import ComPull, Key, Stretch, Style
 from worlds.ground import Part
 
+SHAPES = {"support", "segments", "style", "stretch", "pull", "key"}
+"""Keys of a track that shape what is walked on its footprints."""
 MOST_PRINTS = 20_000
 """A track has at most so many single footprints."""
 

@@ -12,7 +12,7 @@ import numpy as np
 from motion.characters.character import Character, character_names, load_character
 from motion.pose.pose import Pose
 from motion.track.footprints import Footprints
-from planner.script.shaping import Style
+from planner.script.track import Track
 from planner.script.turned import BoneKey
 from sim.files import archive
 from sim.files.frames import Frames
@@ -84,7 +84,7 @@ class Recorder:
             "rate": sim.tick_rate,
             "characters": [character.to_dict() for character in sim.first_characters],
             "hand_keys": [[key._asdict() for key in sim.hand_keys(c)] for c in range(len(sim.characters))],
-            "styles": [sim.style(c) for c in range(len(sim.characters))],
+            "shapes": [sim.shapes(c) for c in range(len(sim.characters))],
             "looks": [character.look.model_dump(mode="json") for character in sim.first_characters],
             "world": sim.world.to_dict(heights=False),
             "first_world": None if sim.world is sim.first_world else sim.first_world.to_dict(heights=False),
@@ -187,10 +187,10 @@ class Recording:
                 column[...] = self.arrays[f"footprint_{name}"][mine]
         return found
 
-    def style(self, c: int) -> Style:
-        """How character c carried itself in a scene."""
-        styles = self.meta.get("styles")
-        return Style(**styles[c]) if styles else Style()
+    def shapes(self, c: int) -> Track:
+        """What a scene said of character c beside its footprints, as a track without any; of versions up to 0.8.0 the style."""
+        shapes = self.meta.get("shapes") or [{"style": style} for style in self.meta.get("styles") or []]
+        return Track(**shapes[c]) if shapes else Track()
 
     def hand_keys(self, c: int) -> list[BoneKey]:
         """The hand keys of character c: its bones are those of its poses, turned by them."""

@@ -12,6 +12,7 @@ from motion.pose.pose import Pose
 from motion.track.footprints import Footprints
 from planner.round.refusals import LONGEST, TURNED
 from planner.script.shaping import Style
+from planner.script.track import Track
 from sim.files.archive import Arrays
 from sim.rows.crowd import REAL, Crowd
 from sim.stage.asked import MOST_CHARACTERS, MOST_SEED, RATES
@@ -94,6 +95,7 @@ class RunMeta(BaseModel):
     looks: list[Plain] | None = None
     hand_keys: list[list[_Key]] | None = None
     styles: list[Style] | None = None
+    shapes: list[Track] | None = None
     world: Plain
     first_world: Plain | None = None
     changes: list[_Change] = []
@@ -196,10 +198,10 @@ def check_run(arrays: Arrays, meta: RunMeta) -> None:
         raise ValueError("time: must ascend")
     if meta.looks is not None and len(meta.looks) != count:
         raise ValueError(f"meta.looks: {len(meta.looks)} for {count} characters")
-    if meta.styles and len(meta.styles) != count:
-        raise ValueError(f"meta.styles: {len(meta.styles)} for {count} characters")
-    if meta.hand_keys and len(meta.hand_keys) != count:
-        raise ValueError(f"meta.hand_keys: {len(meta.hand_keys)} for {count} characters")
+    for name in ("styles", "shapes", "hand_keys"):
+        each = getattr(meta, name)
+        if each and len(each) != count:
+            raise ValueError(f"meta.{name}: {len(each)} for {count} characters")
     for c, dimensions in enumerate(meta.characters):
         numbers = [value for name, value in dimensions.items() if name != "name"]
         if not isinstance(dimensions.get("name"), str) or not all(type(v) in (int, float) and np.isfinite(v) for v in numbers):

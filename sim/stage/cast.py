@@ -1,7 +1,7 @@
 """Characters in a world at a time: what the live simulation and a scripted performance share, and the view reads."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -161,8 +161,8 @@ class Cast:
         """The bones of characters `rows` (C,), all of one kind, at `time` [s], with what is turned by hand."""
         return bones
 
-    def style(self, character: int) -> dict[str, float]:
-        """How a scene lets a character carry itself, as [style] says it: what is not as usual."""
+    def shapes(self, character: int) -> dict[str, Any]:
+        """What a scene says of a character beside its footprints, as a track's file has it: what is not as usual."""
         return {}
 
     def hand_keys(self, character: int) -> Sequence[BoneKey]:

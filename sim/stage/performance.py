@@ -1,6 +1,7 @@
 """A scripted scene: all footprints are known, so whole curves are optimised at once, and time only shows them."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -16,8 +17,8 @@ from planner.script.meeting import trodden
 from planner.script.review import review, warned
 from planner.script.scene import Scene
 from planner.script.shaping import styled
+from planner.script.track import SHAPES, completed, footprints_of
 from planner.script.track import Track as Script
-from planner.script.track import completed, footprints_of
 from planner.script.turned import BoneKey, turned
 from sim.rows.footprint_log import Walked, as_arrays
 from sim.stage.cast import TICK_RATE, Cast
@@ -85,9 +86,9 @@ class Performance(Cast):
                 super().pose_into(Pose(*(column[i : i + 1] for column in pose)), time, rows[i : i + 1])
                 self.bipeds[kind] = before
 
-    def style(self, character: int) -> dict[str, float]:
-        """The [style] of a track."""
-        return self.acts[character].track.style.model_dump(exclude_defaults=True)
+    def shapes(self, character: int) -> dict[str, Any]:
+        """Style, stretches, pulls, keys, support and segments of a track."""
+        return self.acts[character].track.model_dump(mode="json", include=SHAPES, exclude_defaults=True)
 
     def hand_keys(self, character: int) -> tuple[BoneKey, ...]:
         """The hand keys of a track."""

@@ -36,6 +36,12 @@ def read_heightmap(path: Path) -> tuple[np.ndarray, str | None]:
     return np.ascontiguousarray(pixels[::-1]) / 65535.0, None
 
 
+def write_heightmap(path: Path, heights: np.ndarray) -> None:
+    """Writes heights in 0..1, row 0 at y = 0, of which one in 65535 is the least difference. Raises OSError."""
+    pixels = np.round(np.clip(heights, 0.0, 1.0) * 65535.0).astype(np.uint16)
+    Image.fromarray(np.ascontiguousarray(pixels[::-1])).save(path, format="PNG")
+
+
 def _declared(path: Path) -> tuple[int, int]:
     """Width and height that a PNG's header tells, before anything of it is unpacked; 0, 0 for what is none."""
     with open(path, "rb") as file:

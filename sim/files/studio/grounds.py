@@ -3,6 +3,7 @@
 from pathlib import Path
 from typing import Any
 
+from sim.files.studio.places import kept_heightmap
 from worlds import reading
 from worlds.errors import InputError
 from worlds.world import World
@@ -14,12 +15,15 @@ KEYS = {
 }
 """Of terrains, in the order of their parameters (worlds.ground)."""
 WHOLE = ("count", "steps_per_turn")
+LEAST_HEIGHT = 1e-3
+"""Of the full range of a heightmap [m]."""
 
 
 def tables_of(world: World, level: Path | None = None) -> dict[str, Any]:
     """format, name, [world], trees, rivers, walls, rocks and goal, as a file has them, each thing by itself.
 
-    level: the file that the world was read from; a heightmap is known by it alone. Raises InputError where it is not known.
+    level: the file that the world was read from, by which a heightmap is known; else its heights are kept in a file of our own.
+    Raises InputError where that cannot be.
     """
     found: dict[str, Any] = {"format": 1, "name": world.name, "world": _world(world, level)}
     found["tree"] = [{"position": (x, y), "radius": radius} for x, y, radius in world.trees.tolist()]
@@ -57,8 +61,14 @@ def _terrain(world: World, level: Path | None) -> dict[str, Any]:
 
 
 def _heightmap(world: World, level: Path | None) -> dict[str, Any]:
-    """As the level's file has it; the picture, which lies beside that, by its whole path. Raises InputError."""
+    """As the level's file has it; the picture, which lies beside that, by its whole path. Raises InputError.
+
+    Where the file is not known, as of a recording, the heights are written into one of our own.
+    """
     if level is None:
-        raise InputError(f"{world.name}: its ground is a heightmap, whose file is not known here; open the level's own run")
+        if world.heights.min() < 0:
+            raise InputError(f"{world.name}: its ground lies below 0 in places, which no picture of heights has")
+        spacing, height = float(world.terrain_parameters[0]), max(float(world.heights.max()), LEAST_HEIGHT)
+        return {"file": str(kept_heightmap(world.heights / height)), "spacing": spacing, "height": height}
     table = dict(reading.read_toml(level, "level", "format, name, [world] and [start]")["world"]["heightmap"])
     return table | {"file": str((level.parent / table["file"]).resolve())}

@@ -14,6 +14,7 @@ from typing import BinaryIO
 from planner.script.scene import SCENES, Sheet, read_sheet, world_of
 from sim.files import outputs
 from sim.files.studio.document import Document, document_of, sheet_of
+from sim.files.studio.places import home
 from sim.files.studio.writing import text_of
 from worlds import reading
 from worlds.errors import InputError
@@ -93,21 +94,6 @@ def save(document: Document, opened: Opened, path: Path, force: bool = False) ->
     with outputs.whole(path) as part:
         part.write_bytes(text.encode("utf-8"))
     return Opened(document, path.resolve(), text, hashlib.sha256(text.encode("utf-8")).hexdigest())
-
-
-def home() -> Path:
-    """The folder of our own for what is remembered between runs, made where it is missing. Raises OSError, RuntimeError."""
-    given = os.environ.get("FOOTFALL_STATE")
-    if given:
-        place = Path(given)
-    elif sys.platform == "win32":
-        place = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local") / "footfall"
-    elif sys.platform == "darwin":
-        place = Path.home() / "Library" / "Application Support" / "footfall"
-    else:
-        place = Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state") / "footfall"
-    place.mkdir(parents=True, exist_ok=True)
-    return place
 
 
 def recent() -> list[str]:

@@ -23,13 +23,13 @@ from motion.characters.dimensions import Dimensions
 from motion.track.footprints import SIDES, Footprints
 from planner.script.footprint import Footprint
 from planner.script.scene import Sheet
-from planner.script.shaping import Style
-from planner.script.track import Track
+from planner.script.track import SHAPES, Track
 from planner.stepping.taking import START_OVERLAP
 from planner.stepping.timing import hip_pendulum, nominal_length
 from sim.files.recording import Recording
 from sim.files.studio.document import Document, document_of
 from sim.files.studio.grounds import tables_of
+from sim.files.studio.walkers import Walker, cut, leg_share
 from sim.files.taking import opened
 from sim.stage.cast import Cast
 from sim.stage.performance import Performance
@@ -46,14 +46,6 @@ LEAST, MOST = 1e-3, 60.0
 CROUCHES = (0.5, 1.05)
 REST, SETTLE = 0.6, 0.1
 """One stands at least so long [s] at the end, and at a beginning in the middle of a run."""
-
-
-class Walker(NamedTuple):
-    """Who walked, on what."""
-
-    character: Character
-    footprints: Footprints  # (K,) by their contacts; a foot that stood on prolongs its footprint
-    style: Style = Style()
 
 
 class Run(NamedTuple):
@@ -83,7 +75,7 @@ def document_in(path: str | Path) -> Document:
 def run_of(cast: Cast, level: str | Path | None = None, kinds: Sequence[str] = ()) -> Run:
     """A live run as it stands. level, kinds: names or files of its world and characters."""
     walked = cast.walked()
-    walkers = [Walker(one, _latest(walked, c), Style(**cast.style(c))) for c, one in enumerate(cast.characters)]
+    walkers = [Walker(one, _latest(walked, c), Track(**cast.shapes(c))) for c, one in enumerate(cast.characters)]
     return Run(cast.world, walkers, cast.time, _file(level), kinds)
 
 
@@ -106,7 +98,7 @@ def run_in(recording: Recording) -> Run:
     walkers = []
     for c in range(len(recording.meta["characters"])):
         for stay in recording.stays(c)[-1:]:
-            walkers.append(Walker(stay.character, recording.footprints(c, stay.recasts), recording.style(c)))
+            walkers.append(Walker(stay.character, recording.footprints(c, stay.recasts), recording.shapes(c)))
     return Run(recording.world, walkers, float(recording.arrays["time"][-1]) if len(recording.arrays["time"]) else 0.0)
 
 
@@ -115,7 +107,7 @@ def document_from(run: Run, focus: int = 0) -> Document:
     chosen = _chosen(run.walkers, focus)
     if not chosen:
         raise InputError(f"{run.world.name}: nobody has walked yet; let it run for a few steps first")
-    chosen = [one._replace(footprints=_standing_first(one.footprints, _since(chosen))) for one in chosen]
+    chosen = [cut(one, _since(chosen)) for one in chosen]
     begin = min(_begin(one) for one in chosen)
     tracks = [_track(one, begin, run) for one in chosen]
     first = {key: getattr(tracks[0], key) for key in Track.model_fields}
@@ -128,22 +120,13 @@ def _chosen(walkers: list[Walker], focus: int) -> list[Walker]:
     place = [one.footprints.position[-1] if len(one.footprints.side) else np.full(3, np.inf) for one in walkers]
     away = [float(np.linalg.norm(at - place[focus])) if np.isfinite(at).all() else np.inf for at in place]
     order = sorted(range(len(walkers)), key=lambda c: (c != focus, away[c]))
-    return [walkers[c] for c in order if len(_standing_first(walkers[c].footprints, -np.inf).side) > 2][:MOST_TRACKS]
+    return [walkers[c] for c in order if len(cut(walkers[c], -np.inf).footprints.side) > 2][:MOST_TRACKS]
 
 
 def _since(walkers: list[Walker]) -> float:
     """The time [s] from which on no more than MOST_FOOTPRINTS footprints were walked."""
     times = np.sort(np.concatenate([one.footprints.contact_time for one in walkers]))
     return float(times[-MOST_FOOTPRINTS]) if len(times) > MOST_FOOTPRINTS else -np.inf
-
-
-def _standing_first(footprints: Footprints, since: float) -> Footprints:
-    """The footprints from a time [s] on, the first two of which are of two feet, so that one can begin to stand there."""
-    later = np.flatnonzero(footprints.contact_time >= since)
-    first = int(later[0]) if len(later) > 2 else max(len(footprints.side) - 3, 0)
-    while first + 1 < len(footprints.side) and footprints.side[first] == footprints.side[first + 1]:
-        first += 1
-    return picked(footprints, slice(first, len(footprints.side)))
 
 
 class _Pause(NamedTuple):
@@ -160,13 +143,14 @@ def _track(walker: Walker, begin: float, run: Run) -> Track:
     name, scale = _name_of(walker.character, run.kinds)
     pauses = [_pause(f, i, biped) for i in range(1, len(f.side) - 1)]
     first = pauses[0]._replace(stand=pauses[0].stand + float(f.contact_time[1]) - begin)
+    legs = [leg_share(walker.shapes, i) for i in range(len(f.side))]
     prints = [_print(f, 0, None, 1.0), _print(f, 1, first._replace(stand=0.0), 1.0)]
-    prints += [_print(f, i, pauses[i - 1], _crouch(f, i, pauses[i - 2], biped)) for i in range(2, len(f.side) - 1)]
-    prints.append(_print(f, len(f.side) - 1, None, _crouch(f, len(f.side) - 1, pauses[-1], biped)))
+    prints += [_print(f, i, pauses[i - 1], _crouch(f, i, pauses[i - 2], biped, legs[i])) for i in range(2, len(f.side) - 1)]
+    prints.append(_print(f, len(f.side) - 1, None, _crouch(f, len(f.side) - 1, pauses[-1], biped, legs[-1])))
     rest = run.time - float(f.contact_time[-1])
     return Track(
         character=name, character_scale=scale, footprint=tuple(prints), stand_before=_within(first.stand, 0.0),
-        stand_after=_within(rest, REST) if rest > REST else REST, style=walker.style,
+        stand_after=_within(rest, REST) if rest > REST else REST, **{name: getattr(walker.shapes, name) for name in SHAPES},
     )  # fmt: skip
 
 
@@ -195,10 +179,10 @@ def _pause(f: Footprints, i: int, biped: Dimensions) -> _Pause:
     return _Pause(shifted, gap - shifted, float(end[other] - contact[i]) - shifted)
 
 
-def _crouch(f: Footprints, i: int, before: _Pause, biped: Dimensions) -> float:
-    """The share of the usual leg over footprint i: what its step asks for beside its pace."""
+def _crouch(f: Footprints, i: int, before: _Pause, biped: Dimensions, leg: float) -> float:
+    """The share of the usual leg over footprint i: what its step asks for beside its pace, and beside stretches, `leg`."""
     far, rise = np.hypot(*(f.position[i] - f.position[i - 1])[:2]), float(f.position[i, 2] - f.position[i - 1, 2])
-    share = float(f.nominal_length[i]) / float(nominal_length(biped, float(far), before.step, rise))
+    share = float(f.nominal_length[i]) / float(nominal_length(biped, float(far), before.step, rise)) / leg
     return 1.0 if abs(share - 1) < SAME else min(max(share, CROUCHES[0]), CROUCHES[1])
 
 

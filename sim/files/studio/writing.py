@@ -1,7 +1,8 @@
 """A document as the text of its file: what the user wrote, comments and order, with only what has changed put in its place.
 
 Tables of a list (footprints, trees) are matched by what they hold, so a comment stays with its footprint when another one is
-inserted before it. Numbers are written so that reading them gives the same bits.
+inserted before it. New ones are set apart as the others are (sim.files.studio.leads). Numbers are written so that reading them
+gives the same bits.
 """
 
 import difflib
@@ -13,6 +14,7 @@ from tomlkit.items import AoT, Table
 
 from sim.files import outputs
 from sim.files.studio.document import Document, sheet_of
+from sim.files.studio.leads import headers, parsed, usual_lead
 
 ORDER = (
     "format", "name", "figure", "about", "character", "character_scale", "stand_before", "stand_after", "support", "segments",
@@ -25,11 +27,14 @@ def text_of(document: Document, written: str = "") -> str:
     """The text of a document's file, in which what was `written` before stays, but for what has changed."""
     sheet = sheet_of(document)
     least, whole = sheet.model_dump(exclude_defaults=True), sheet.model_dump(exclude_none=True)
-    text = tomlkit.parse(written)
+    text = parsed(written)
     if not written:
         least = {key: least[key] for key in (*ORDER, *least) if key in least}
+    lead, leads = usual_lead(text), {id(one): (one, one.trivia.indent) for one in headers(text)}
     _merge(text, least, whole)
-    return tomlkit.dumps(text)
+    for table in headers(text):
+        table.trivia.indent = leads.get(id(table), (table, lead))[1]
+    return tomlkit.dumps(text).lstrip("\n")
 
 
 def write_scene(document: Document, path: str | Path) -> None:

@@ -149,6 +149,16 @@ class Menus:
         else:
             self._save(desk, Path(name), True)
 
+    def _named(self, desk: Desk, what: str, path: Path) -> None:
+        """As chosen in a dialog; nobody has been asked yet whether a file that is there may be written over."""
+        path = path if path.suffix or what == "open" else path.with_suffix(".toml")
+        if what == "open" or not path.exists():
+            self._chosen(desk, what, str(path))
+        elif path.resolve() == desk.opened.path:
+            self._save(desk, path.resolve(), False)
+        else:
+            self._question, self._then = f"{path.name} is there already. Save over it?", f"over:{path}"
+
     def _save(self, desk: Desk, path: Path, force: bool) -> None:
         """Saves; asks before somebody else's work is lost."""
         if not force and keeping.changed_on_disk(desk.opened) and path == desk.opened.path:
@@ -194,4 +204,4 @@ class Menus:
             name, what, self._typed = self._typed or "", self._then, None
             imgui.close_current_popup()
             if done and name:
-                self._chosen(desk, what, name)
+                self._named(desk, what, Path(name).expanduser())

@@ -62,7 +62,8 @@ class Playing:
     loop: tuple[float, float] | None = None
 
     def advance(self, seconds: float, end: float) -> None:
-        """Lets wall time pass; at the end it begins anew."""
+        """Lets wall time pass; at the end it begins anew. No time beyond the end is shown."""
+        self.time = min(self.time, end)
         if not self.on:
             return
         first, last = self.loop or (0.0, end)

@@ -9,6 +9,9 @@ from sim.view.studio.table.canvas import Box, Plan
 from sim.view.theme import ink
 from worlds.world import World
 
+LENGTHS, LEAST_BAR = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 1e3), 55.0
+"""How long the bar may be that tells how long that is [m]; its least width at scale 1 [pixels]."""
+
 
 def draw_ground(draw: imgui.ImDrawList, plan: Plan, world: World, scale: float) -> None:
     """The ground of the plan: a grid of metres, water, trees, rocks, and the edge of the world."""
@@ -30,6 +33,18 @@ def draw_ground(draw: imgui.ImDrawList, plan: Plan, world: World, scale: float) 
         draw.add_circle(place, world.goal_radius * plan.zoom, ink(theme.ACCENT), 0, 2.0 * scale)
         draw.add_circle_filled(place, 3.0 * scale, ink(theme.ACCENT))
     draw.add_rect(marks.vector(edge.min(axis=0)), marks.vector(edge.max(axis=0)), ink(theme.LINE_STRONG), 0.0, 1.5 * scale)
+    _measure(draw, plan, box, scale)
+
+
+def _measure(draw: imgui.ImDrawList, plan: Plan, box: Box, scale: float) -> None:
+    """How long a metre is, or more or less of it: a bar in the lower right corner."""
+    far = next(far for far in LENGTHS if far * plan.zoom > LEAST_BAR * scale or far == LENGTHS[-1])
+    x, y, wide, ink_of = box.x + box.width - 12 * scale, box.y + box.height - 12 * scale, far * plan.zoom, ink(theme.FAINT)
+    for begin, end in (((x - wide, y), (x, y)), ((x - wide, y - 5 * scale), (x - wide, y)), ((x, y - 5 * scale), (x, y))):
+        draw.add_line(begin, end, ink_of, 1.5 * scale)
+    words = f"{far:g} m"
+    size = imgui.calc_text_size(words)
+    draw.add_text((x - 0.5 * (wide + size.x), y - size.y - 3 * scale), ink_of, words)
 
 
 def _grid(draw: imgui.ImDrawList, plan: Plan, box: Box, scale: float) -> None:

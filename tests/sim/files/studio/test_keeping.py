@@ -56,6 +56,32 @@ def test_a_file_that_has_not_changed_is_written_as_it_was(path):
     assert path.read_text() == TEXT
 
 
+EDITS = (
+    edits.Place(0, 1, (1.3, 2.06), 0.0),
+    edits.Place(0, 3, (2.2, 2.06), 0.0),
+    edits.Delete((Spot(0, 1),)),
+    edits.Delete((Spot(0, 3),)),
+    edits.Move((Spot(0, 2),), (0.1, 0.0)),
+)
+
+
+@pytest.mark.parametrize("edit", EDITS)
+@pytest.mark.parametrize("blank", ["\n", ""])
+def test_what_is_edited_is_set_apart_as_all_else_is(path, edit, blank):
+    """A blank line above each header, or above none; a comment above one goes and stays with it."""
+    lines = [line for line in TEXT.split("\n") if line]
+    spaced = [blank + line if line.startswith(("#", "[")) and lines[k - 1][:1] != "#" else line for k, line in enumerate(lines)]
+    path.write_text("\n".join(spaced).lstrip("\n") + "\n")
+    opened = open_scene(path)
+    text = text_of(edit.apply(opened.document), opened.written)
+    found = text.split("\n")
+    for k, line in enumerate(found[1:-1], 1):
+        if line.startswith("["):
+            above = next(j for j in range(k - 1, -1, -1) if found[j][:1] != "#")
+            assert (found[above] == "") == (blank == "\n"), text
+    assert "\n\n\n" not in text and '# off we go\n[[footprint]]\nside = "left"       # with the left\n' in text
+
+
 def test_comments_stay_with_their_footprints(path):
     opened = open_scene(path)
     history = begun(opened.document)

@@ -8,9 +8,10 @@ from planner.modes.steer import Steered
 from planner.modes.wander import Wander
 from planner.river.rock_hop import RockHop
 from planner.script.scene import load_scene
-from planner.script.shaping import Style
+from planner.script.shaping import ComPull, Key, Stretch, Style
+from planner.script.track import Track
 from sim.files.recording import Recorder
-from sim.files.studio import walked
+from sim.files.studio import grounds, walked, walkers
 from sim.files.studio.keeping import world_for
 from sim.files.studio.writing import write_scene
 from sim.stage.commands import PlantTree, apply, steer
@@ -18,6 +19,7 @@ from sim.stage.performance import Performance, Rehearsal
 from sim.stage.simulation import Simulation
 from worlds.errors import InputError
 from worlds.level import load_level
+from worlds.world import World
 
 NEAR = 0.03
 """The live solver sees three steps ahead and the scene's all of them: so far their curves may differ [m], in the middle."""
@@ -113,3 +115,67 @@ def test_a_recorded_scene_keeps_how_it_was_carried(tmp_path):
     recorder.save(tmp_path / "run.npz")
     found = walked.document_in(tmp_path / "run.npz")
     assert [track.style for track in found.tracks] == [track.style for track in tracks]
+
+
+def recorded(show, path):
+    recorder = Recorder(show)
+    for k in range(int(show.end * 60)):
+        recorder.capture(k / 60)
+    recorder.save(path)
+    return walked.document_in(path)
+
+
+def test_a_recorded_scene_keeps_what_shapes_it(tmp_path):
+    """Stretches, pulls, keys, support: they are there again, and the motion is the same."""
+    scene = load_scene("fig17_large_leap")
+    shapes = {
+        "stretch": (Stretch(first=3, last=5, gravity=0.6, leg=0.93, comfort=1.5, arms=1.4),),
+        "pull": (ComPull(footprint=4, after=0.1, position=(2.0, 2.0, 1.2), stiffness=80.0),),
+        "key": (Key(bone="head", footprint=4, after=0.2, rotation_deg=(0.0, 20.0, 5.0)),),
+        "support": "middle",
+    }
+    show = Rehearsal([track.model_copy(update=shapes) for track in scene.tracks], scene.world)
+    found = recorded(show, tmp_path / "run.npz")
+    for name, value in shapes.items():
+        assert getattr(found.tracks[0], name) == value
+    assert [one.crouch for one in found.tracks[0].footprint] == [1.0] * len(found.tracks[0].footprint)
+    again = Rehearsal(found.tracks, world_for(found, None))
+    for time in np.linspace(0.5, show.end - 1.0, 12):
+        np.testing.assert_allclose(again.com(time), show.com(time), atol=2e-3)
+
+
+def test_what_shapes_a_scene_goes_with_its_footprints_when_the_first_are_gone():
+    stretch, pull = Stretch(first=1, last=4, gravity=0.5), ComPull(footprint=3, position=(0.0, 0.0, 1.0))
+    key = Key(bone="head", footprint=1, rotation_deg=(0.0, 0.0, 9.0))
+    prints = Performance(load_scene("sprint")).walked().footprints
+    given = walkers.Walker(load_character("human"), prints, Track(stretch=(stretch,), pull=(pull,), key=(key,)))
+    found = walkers.cut(given, float(prints.contact_time[2]))
+    assert len(found.footprints.side) == len(prints.side) - 2
+    assert (found.shapes.stretch[0].first, found.shapes.stretch[0].last, found.shapes.pull[0].footprint) == (0, 2, 1)
+    assert found.shapes.key == ()
+
+
+def test_a_recording_over_a_heightmap_is_opened(tmp_path, monkeypatch):
+    monkeypatch.setenv("FOOTFALL_STATE", str(tmp_path / "state"))
+    heights = np.random.default_rng(2).uniform(0, 0.15, (21, 31))
+    world = World("bumps", (30.0, 20.0), "heightmap", (1.0,), heights, start=(8.0, 8.0))
+    sim = Simulation(world, [load_character("human")], Wander(), seed=1)
+    recorder = Recorder(sim)
+    for _ in range(600):
+        sim.tick()
+        recorder.capture()
+    recorder.save(tmp_path / "run.npz")
+    document = walked.document_in(tmp_path / "run.npz")
+    ground = world_for(document, None)
+    np.testing.assert_allclose(ground.heights, heights, atol=0.15 / 65535)
+    show = Rehearsal(document.tracks, ground)
+    np.testing.assert_allclose(show.walked().footprints.position, sim.walked().footprints.position, atol=1e-4)
+    assert walked.document_in(tmp_path / "run.npz") == document and len(list((tmp_path / "state" / "grounds").iterdir())) == 1
+    write_scene(document, tmp_path / "walk.toml")
+    np.testing.assert_array_equal(load_scene(tmp_path / "walk.toml").world.heights, ground.heights)
+
+
+def test_a_ground_below_nothing_has_no_picture():
+    world = World("pit", (30.0, 20.0), "heightmap", (1.0,), np.full((21, 31), -1.0), start=(8.0, 8.0))
+    with pytest.raises(InputError, match="below 0"):
+        grounds.tables_of(world)
