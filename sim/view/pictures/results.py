@@ -8,7 +8,7 @@ from typing import NamedTuple
 from sim.files import outputs
 from sim.files.recording import Recorder
 from sim.files.saving import save
-from sim.files.studio.walked import document_of_cast
+from sim.files.studio.runs.walked import document_of_cast
 from sim.files.studio.writing import write_scene
 from sim.stage.cast import Cast
 from sim.stage.simulation import Simulation

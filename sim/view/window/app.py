@@ -8,7 +8,7 @@ import numpy as np
 
 from motion.characters.character import character_names
 from planner.planner import NoWay
-from sim.files.studio.walked import document_of_cast
+from sim.files.studio.runs.walked import document_of_cast
 from sim.stage.cast import Cast
 from sim.view.graphics.camera import Camera
 from sim.view.pictures import overlays

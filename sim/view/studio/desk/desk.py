@@ -16,7 +16,7 @@ from sim.files.studio.document import Document, Spot, footprints_in, new_documen
 from sim.files.studio.edits import Edit
 from sim.files.studio.history import begun, tried
 from sim.files.studio.keeping import Autosave, Opened
-from sim.files.studio.walked import document_in
+from sim.files.studio.runs.walked import document_in
 from sim.stage.performance import Rehearsal
 from worlds.errors import InputError
 

@@ -11,8 +11,8 @@ from planner.script.scene import load_scene
 from planner.script.shaping import ComPull, Key, Stretch, Style
 from planner.script.track import Track
 from sim.files.recording import Recorder
-from sim.files.studio import grounds, walked, walkers
 from sim.files.studio.keeping import world_for
+from sim.files.studio.runs import grounds, walked, walkers
 from sim.files.studio.writing import write_scene
 from sim.stage.commands import PlantTree, apply, steer
 from sim.stage.performance import Performance, Rehearsal

@@ -28,8 +28,8 @@ from planner.stepping.taking import START_OVERLAP
 from planner.stepping.timing import hip_pendulum, nominal_length
 from sim.files.recording import Recording
 from sim.files.studio.document import Document, document_of
-from sim.files.studio.grounds import tables_of
-from sim.files.studio.walkers import Walker, cut, leg_share
+from sim.files.studio.runs.grounds import tables_of
+from sim.files.studio.runs.walkers import Walker, cut, leg_share
 from sim.files.taking import opened
 from sim.stage.cast import Cast
 from sim.stage.performance import Performance
