@@ -265,6 +265,8 @@ def test_sliders_of_a_stretch_are_drawn_and_each_drag_is_one_step(hand):
 def write(hand, text):
     """Types into the field that has the keyboard, over what is there."""
     pg = hand.pygame
+    hand.studio.handle(pg.event.Event(pg.KEYUP, key=pg.K_LCTRL, mod=0, unicode=""))  # it is let go
+    hand.frames(2)
     for letter in text:
         hand.studio.handle(pg.event.Event(pg.TEXTINPUT, text=letter))
     hand.frames(2)
