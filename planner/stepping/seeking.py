@@ -34,6 +34,8 @@ BESIDE, ACROSS = 0.55, -0.2
 """A foot is set down so far to its own side of the other one, in step widths: beside it, and well ahead of it."""
 LONG, LONG_LIFT, LIFT = 1.6, 0.2, 0.35
 """A swing over more than so many longest steps is lifted no higher than this share of the leg, any other than the next."""
+CLIMBS = 1.5
+"""How many metres ahead a metre up or down counts for, of the farthest that the feet may get apart."""
 SAMPLES = 20
 """Shares of a swing at which the ground below it is asked for."""
 GRAIN = 0.08
@@ -107,11 +109,18 @@ def _is_good(biped: Dimensions, world: WorldArrays, feet: Feet, wanted: Wanted, 
     foot = feet.newer
     if hypot(x - foot.x, y - foot.y) > wanted.farthest or not _keeps_apart(biped, foot, x, y):
         return False
-    if not may_stand(biped, world, foot, x, y, yaw):
+    if not may_stand(biped, world, foot, x, y, yaw) or _reckoned(biped, world, foot, x, y, yaw) > wanted.farthest:
         return False
     if not body_passes(biped, world, middle_beside(biped, foot), middle_of(biped, 1 - foot.side, (x, y), yaw)):
         return False
     return world.terrain_kind == FLAT and is_bare(world, foot.x, foot.y, REACH) or _swings(biped, world, feet, x, y, yaw)
+
+
+@jit_borrowing
+def _reckoned(biped: Dimensions, world: WorldArrays, foot: Foot, x: float, y: float, yaw: float) -> float:
+    """How long a step counts [m] that goes up or down, too: nobody runs three treads at a time."""
+    rise = under_sole(biped, world, x, y, yaw)[0] - under_sole(biped, world, foot.x, foot.y, foot.heading)[0]
+    return hypot(x - foot.x, y - foot.y) + CLIMBS * abs(rise)
 
 
 @jit_borrowing
