@@ -118,17 +118,18 @@ def _is_good(biped: Dimensions, world: WorldArrays, feet: Feet, wanted: Wanted, 
 
 @jit_borrowing
 def _reckoned(biped: Dimensions, world: WorldArrays, foot: Foot, x: float, y: float, yaw: float) -> float:
-    """How long a step counts [m] that goes up or down, too: nobody runs three treads at a time."""
-    rise = under_sole(biped, world, x, y, yaw)[0] - under_sole(biped, world, foot.x, foot.y, foot.heading)[0]
-    return hypot(x - foot.x, y - foot.y) + CLIMBS * abs(rise)
+    """How long a step counts [m] that goes up or down, too: nobody runs three treads at a time. Slopes do not count."""
+    z, nx, ny, nz = under_sole(biped, world, x, y, yaw)
+    dx, dy, dz = x - foot.x, y - foot.y, z - under_sole(biped, world, foot.x, foot.y, foot.heading)[0]
+    return hypot(dx, dy) + CLIMBS * abs(dx * nx + dy * ny + dz * nz)
 
 
 @jit_borrowing
 def _swings(biped: Dimensions, world: WorldArrays, feet: Feet, x: float, y: float, heading: float) -> bool:
     """Whether a foot comes there without being lifted high, which needs time: much in the way of a long swing is too much."""
     foot, other, length = feet.older, feet.newer, biped.foot.length
-    begin = under_sole(biped, world, foot.x, foot.y, foot.heading)[0]
-    end = under_sole(biped, world, x, y, heading)[0]
+    begin, bnx, bny, bnz = under_sole(biped, world, foot.x, foot.y, foot.heading)
+    end, enx, eny, enz = under_sole(biped, world, x, y, heading)
     most = (LONG_LIFT if hypot(x - foot.x, y - foot.y) > LONG * biped.reach.max_step else LIFT) * biped.leg.nominal_length
     yaw, side, where = 0.5 * (foot.heading + heading), 1 - other.side, (other.x, other.y)
     start, goal = (foot.x, foot.y, begin), (x, y, end)
@@ -144,8 +145,9 @@ def _swings(biped: Dimensions, world: WorldArrays, feet: Feet, x: float, y: floa
         now = mix(foot.heading, heading, gone)
         for ahead in (-0.5 * length, 0.0, 0.5 * length):
             for aside in (-0.5 * biped.foot.width, 0.5 * biped.foot.width):
-                qx, qy = px + ahead * cos(now) - aside * sin(now), py + ahead * sin(now) + aside * cos(now)
-                if queries.ground_height(world, qx, qy) > z:
+                qx, qy = ahead * cos(now) - aside * sin(now), ahead * sin(now) + aside * cos(now)
+                tilt = -mix((bnx * qx + bny * qy) / bnz, (enx * qx + eny * qy) / enz, gone)
+                if queries.ground_height(world, px + qx, py + qy) > z + tilt:
                     return False
     return True
 
