@@ -83,6 +83,8 @@ def hand(window, monkeypatch, tmp_path):
 
     window.studio.desk = window.desk = Desk()
     window.studio.views = window.studio.hands.views = Views()
+    window.studio.screen.resize((960, 540))
+    window.studio.screen.set_scale(1.0)
     window.frames(3)
     return window
 
