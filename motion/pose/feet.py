@@ -112,7 +112,8 @@ def _carry(biped: Dimensions, hip: Triple, yaw: float, time: float, s: float, po
         return
     share = (1 - swing.fade(long, 1.0)) * (1 - swing.fade(min(s, 1 - s), CARRIED_ENDS))
     back, down, ankle = HANGS[0] * nominal, HANGS[1] * nominal, pose.ankle[c, leg]
-    way = (hip[0] - back * np.cos(yaw) - ankle[0], hip[1] - back * np.sin(yaw) - ankle[1], hip[2] - down - ankle[2])
+    up = max(hip[2] - down - ankle[2], 0.0)  # never lower than on its own way: who lands low would push it into the ground
+    way = (hip[0] - back * np.cos(yaw) - ankle[0], hip[1] - back * np.sin(yaw) - ankle[1], up)
     _move(pose, c, leg, share, way)
 
 

@@ -134,25 +134,35 @@ def outward(
 
     That foot is the one that landed in between, whether it still stands or not.
     """
+    if after - 1 == before:
+        return 0.0, 0.0
+    other, yaw = footprints.position[after - 1], 0.5 * (footprints.heading[before] + footprints.heading[after])
+    run = foot.runs(footprints, before)
+    x, y = bow(biped, start, goal, (other[0], other[1]), yaw, footprints.side[after], footprints.hold[after], run)
+    return footprints.bow[after] * x, footprints.bow[after] * y
+
+
+@jit_borrowing
+def bow(
+    biped: Dimensions, start: Triple, goal: Triple, other: tuple[float, float], yaw: float, which: int, hold: float, run: float
+) -> tuple[float, float]:  # fmt: skip
+    """That offset for foot `which` on its way from start to goal, heading `yaw` [rad], past the other foot's place."""
     dx, dy = goal[0] - start[0], goal[1] - start[1]
     length2 = dx * dx + dy * dy
-    if after - 1 == before or length2 < 1e-6:
+    if length2 < 1e-6:
         return 0.0, 0.0
-    other = footprints.position[after - 1]
     u = ((other[0] - start[0]) * dx + (other[1] - start[1]) * dy) / length2
     if u <= 0 or u >= 1:
         return 0.0, 0.0
     length = sqrt(length2)
     to_left = ((other[0] - start[0]) * dy - (other[1] - start[1]) * dx) / length
-    yaw = 0.5 * (footprints.heading[before] + footprints.heading[after])
     ahead = (dx * cos(yaw) + dy * sin(yaw)) / length
-    side = 1.0 if (footprints.side[after] == LEFT) == (ahead > 0) else -1.0
+    side = 1.0 if (which == LEFT) == (ahead > 0) else -1.0
     if abs(ahead) < SIDEWAYS:
         side = 1.0 if to_left > 0 else -1.0
     lack = max(room_beside(biped) - side * to_left, 0.0)
     ends = min(1.0, 4 * u, 4 * (1 - u))
-    amount = side * footprints.bow[after] * min(lack * ends, MOST_ROOM * length)
-    amount /= max(bump(share_at(u, footprints.hold[after], foot.runs(footprints, before))), 0.3)
+    amount = side * min(lack * ends, MOST_ROOM * length) / max(bump(share_at(u, hold, run)), 0.3)
     return -amount * dy / length, amount * dx / length
 
 

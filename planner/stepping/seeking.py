@@ -32,9 +32,10 @@ WELL_ON = 0.5
 """A foot that snaps to a rock is set down so much of its sole, or of the rock, inside the rock's edge."""
 BESIDE, ACROSS = 0.55, -0.2
 """A foot is set down so far to its own side of the other one, in step widths: beside it, and well ahead of it."""
-LONG, LONG_LIFT, LIFT, BOW = 1.6, 0.2, 0.35, 0.8
-"""A swing over more than so many longest steps is lifted no higher than this share of the leg, any other than the next;
-it bows outward by so many step widths."""
+LONG, LONG_LIFT, LIFT = 1.6, 0.2, 0.35
+"""A swing over more than so many longest steps is lifted no higher than this share of the leg, any other than the next."""
+CLIMBS = 1.5
+"""How many metres ahead a metre up or down counts for, of the farthest that the feet may get apart."""
 SAMPLES = 20
 """Shares of a swing at which the ground below it is asked for."""
 GRAIN = 0.08
@@ -108,31 +109,46 @@ def _is_good(biped: Dimensions, world: WorldArrays, feet: Feet, wanted: Wanted, 
     foot = feet.newer
     if hypot(x - foot.x, y - foot.y) > wanted.farthest or not _keeps_apart(biped, foot, x, y):
         return False
-    if not may_stand(biped, world, foot, x, y, yaw):
+    if not may_stand(biped, world, foot, x, y, yaw) or _reckoned(biped, world, foot, x, y, yaw) > wanted.farthest:
         return False
     if not body_passes(biped, world, middle_beside(biped, foot), middle_of(biped, 1 - foot.side, (x, y), yaw)):
         return False
-    return world.terrain_kind == FLAT and is_bare(world, foot.x, foot.y, REACH) or _swings(biped, world, feet.older, x, y, yaw)
+    return world.terrain_kind == FLAT and is_bare(world, foot.x, foot.y, REACH) or _swings(biped, world, feet, x, y, yaw)
 
 
 @jit_borrowing
-def _swings(biped: Dimensions, world: WorldArrays, foot: Foot, x: float, y: float, heading: float) -> bool:
+def _reckoned(biped: Dimensions, world: WorldArrays, foot: Foot, x: float, y: float, yaw: float) -> float:
+    """How long a step counts [m] that goes up or down, too: nobody runs three treads at a time. Slopes do not count."""
+    z, nx, ny, nz = under_sole(biped, world, x, y, yaw)
+    dx, dy, dz = x - foot.x, y - foot.y, z - under_sole(biped, world, foot.x, foot.y, foot.heading)[0]
+    return hypot(dx, dy) + CLIMBS * abs(dx * nx + dy * ny + dz * nz)
+
+
+@jit_borrowing
+def _swings(biped: Dimensions, world: WorldArrays, feet: Feet, x: float, y: float, heading: float) -> bool:
     """Whether a foot comes there without being lifted high, which needs time: much in the way of a long swing is too much."""
-    begin = under_sole(biped, world, foot.x, foot.y, foot.heading)[0]
-    end = under_sole(biped, world, x, y, heading)[0]
-    long = hypot(x - foot.x, y - foot.y) > LONG * biped.reach.max_step
-    most = (LONG_LIFT if long else LIFT) * biped.leg.nominal_length
-    dx, dy, own = 0.5 * biped.foot.length * cos(heading), 0.5 * biped.foot.length * sin(heading), 1.0
-    if foot.side != LEFT:
-        own = -1.0
+    foot, other, length = feet.older, feet.newer, biped.foot.length
+    begin, bnx, bny, bnz = under_sole(biped, world, foot.x, foot.y, foot.heading)
+    end, enx, eny, enz = under_sole(biped, world, x, y, heading)
+    most = (LONG_LIFT if hypot(x - foot.x, y - foot.y) > LONG * biped.reach.max_step else LIFT) * biped.leg.nominal_length
+    yaw, side, where = 0.5 * (foot.heading + heading), 1 - other.side, (other.x, other.y)
+    start, goal = (foot.x, foot.y, begin), (x, y, end)
+    bx, by = swing.bow(biped, start, goal, where, yaw, side, swing.EDGE_HOLD, 0.0)
     for k in range(1, SAMPLES):
         s = k / SAMPLES
-        gone = swing.progress(s, swing.EDGE_HOLD)
-        px, py, z = mix(foot.x, x, gone), mix(foot.y, y, gone), mix(begin, end, gone) + most * swing.bump(s) + UNDER
-        for bow in (0.0, own * BOW * biped.gait.step_width * swing.bump(s)):
-            qx, qy = px - bow * sin(heading), py + bow * cos(heading)
-            if max(queries.ground_height(world, qx + dx, qy + dy), queries.ground_height(world, qx - dx, qy - dy)) > z:
-                return False
+        gone, rise = swing.progress(s, swing.EDGE_HOLD), swing.bump(s)
+        px, py, z = (
+            mix(foot.x, x, gone) + rise * bx,
+            mix(foot.y, y, gone) + rise * by,
+            mix(begin, end, gone) + most * rise + UNDER,
+        )
+        now = mix(foot.heading, heading, gone)
+        for ahead in (-0.5 * length, 0.0, 0.5 * length):
+            for aside in (-0.5 * biped.foot.width, 0.5 * biped.foot.width):
+                qx, qy = ahead * cos(now) - aside * sin(now), ahead * sin(now) + aside * cos(now)
+                tilt = -mix((bnx * qx + bny * qy) / bnz, (enx * qx + eny * qy) / enz, gone)
+                if queries.ground_height(world, px + qx, py + qy) > z + tilt:
+                    return False
     return True
 
 

@@ -96,6 +96,8 @@ def _timing(biped: Dimensions, footprints: Footprints, n: int, wish: Wish) -> tu
     running = before > 0 and timing.is_running(biped, step_length(footprints, n - 1), footprints.step_time[n - 2])
     step, stance = timing.step_timing(biped, length, rise(footprints, n), turn, hop, wish.longest, running, before)
     overlap = footprints.contact_time[n - 2] + footprints.stance_time[n - 2] - footprints.contact_time[n - 1]
+    if overlap < 0:  # who comes down from a flight does not stay on one foot for long
+        step, stance = timing.after_flight(biped, step, stance)
     longer = max(timing.least_step_time(biped, overlap) - step, 0.0)
     if stance < step:  # a flight: who leaps from a foot pushes with it once the other one has left
         longer = max(longer, overlap + timing.least_push(biped) - stance)

@@ -38,6 +38,8 @@ PUSH, LEAST_PUSH, COVER = 0.9, 0.5, 1.3
 ALONE = 0.42
 """Shortest time, in pendulum times, for which a foot pushes alone before a flight: the other one, which is to land, is ahead by
 then. From a stand one shifts the weight for long, and the leg that was left behind would be torn off the ground."""
+CATCH = 2.6
+"""Longest step after a flight, in pendulum times: on one foot alone a body that has come down bounces, and turns over."""
 DESCENT_CROUCH = 0.25
 """Share by which the nominal leg is shorter for a step one hip height down: legs bend to take it."""
 UPRIGHT = 0.25
@@ -125,6 +127,13 @@ def least_step_time(biped: Dimensions, overlap: float) -> float:
 def least_push(biped: Dimensions) -> float:
     """Shortest time for which a foot stands alone before a flight [s]."""
     return ALONE * hip_pendulum(biped)
+
+
+@jit_borrowing
+def after_flight(biped: Dimensions, step: float, stance: float) -> tuple[float, float]:
+    """(step time, stance time) [s] of a step after a flight, of these by itself: the other foot comes down soon."""
+    share = min(CATCH * hip_pendulum(biped) / step, 1.0)
+    return share * step, share * stance
 
 
 @jit_borrowing

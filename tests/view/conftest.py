@@ -3,6 +3,7 @@
 import pytest
 
 from sim.view.graphics import gl
+from tests.view.studio_hand import hand, window  # noqa: F401  (fixtures)
 
 
 @pytest.fixture(scope="module")

@@ -11,52 +11,7 @@ import pytest
 
 from sim.files.studio.document import Spot, footprint_at, footprints_in
 from sim.files.studio.keeping import Opened
-from sim.view.graphics import gl
-from tests.view.studio_hand import Hand
-
-FIGURE_1 = ((1.5, 4.1), (1.5, 3.9), (1.95, 4.1), (2.4, 3.9), (2.95, 3.93), (3.4, 4.1), (3.85, 3.9), (3.85, 4.1))
-
-
-@pytest.fixture(scope="module")
-def window():
-    os.environ["SDL_VIDEODRIVER"] = "offscreen"
-    gl.prefer_egl_without_display()
-    import pygame
-
-    from sim.view.studio.desk.desk import Desk
-    from sim.view.studio.studio import Studio
-
-    pygame.display.init()
-    try:
-        made = Hand(Studio(pygame, (960, 540), Desk()), pygame)
-        made.studio.menus.lost = []  # of other runs on this machine
-        return made
-    except (gl.NoGL, pygame.error) as error:
-        pytest.skip(f"no OpenGL window here: {error}")
-
-
-@pytest.fixture
-def hand(window, monkeypatch, tmp_path):
-    """The window with an empty desk."""
-    monkeypatch.setitem(os.environ, "FOOTFALL_STATE", str(tmp_path / "state"))
-    from sim.view.studio.desk.desk import Desk
-    from sim.view.studio.studio import Views
-
-    window.studio.desk = window.desk = Desk()
-    window.studio.views = window.studio.hands.views = Views()
-    window.frames(3)
-    return window
-
-
-def build(hand):
-    """Fig. 1 of the paper, by clicks."""
-    hand.studio.views.plan.centre, hand.studio.views.plan.zoom = np.array([3.0, 4.0]), 80.0
-    hand.key("n")
-    for k, (x, y) in enumerate(FIGURE_1):
-        hand.click(*hand.on_plan(x, y))
-        if k == 4:
-            hand.key("f")  # a hop: the same foot again
-    hand.key("escape")
+from tests.view.studio_hand import FIGURE_1, build
 
 
 def test_figure_1_is_built_retimed_pinned_bent_keyed_saved_and_opened_again(hand, tmp_path):

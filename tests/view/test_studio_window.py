@@ -18,6 +18,7 @@ def test_the_studio_is_driven_by_mouse_and_keys(tmp_path):
         "-rs",
         "--durations=0",
         "tests/view/studio_window.py",
+        "tests/view/studio_files.py",
         "-p",
         "no:cacheprovider",
     ]
