@@ -1,4 +1,4 @@
-"""Sensible worlds made by chance: nobody stands where no foot may, no knee jumps.
+"""Sensible worlds made by chance: nobody stands where no foot may, skates, is stretched or stuck; no knee jumps.
 
 A large run: python -m tests.worlds_by_chance N [FIRST]
 """
@@ -8,7 +8,8 @@ from collections import Counter
 
 import numpy as np
 
-from motion.characters.character import load_character
+from motion.characters.character import Character, load_character
+from motion.pose.pose import Pose
 from planner.modes.walk_to import WalkTo
 from planner.modes.wander import Wander
 from planner.planner import NoWay
@@ -23,6 +24,12 @@ CHARACTERS = ("human", "bird", "dinosaur", "ostrich")
 PLANNERS = ("wander", "walk", "river", "crowd")
 JUMP = 0.25
 """No knee moves further against the body within a tick, in nominal legs."""
+SKATES, STRETCHED = 1e-5, 1.01
+"""No ball that lies on the ground moves so far [m] within a tick, no standing leg is longer than so many full ones."""
+STUCK = 10.0
+"""Nobody who has somewhere to go stays within a step for so long [s] at the end."""
+GOAL, AT_GOAL = (21.0, 9.0), 1.2
+"""Where walks and crossings go, and how near [m] one is there."""
 TERRAINS = ("flat", "flat", "hills", "stairs", "heightmap")
 
 
@@ -42,7 +49,7 @@ def a_world(rng: np.random.Generator) -> World:
     rivers = (
         (River(np.array([[x, -5.0], [x + rng.uniform(-2, 2), 25.0]]), rng.uniform(0.6, 4.0)),) if rng.random() < 0.5 else ()
     )
-    bare = World("chance", size, terrain, tuple(parameters), heights, rivers=rivers, start=(3.0, 9.0), goal=(21.0, 9.0))
+    bare = World("chance", size, terrain, tuple(parameters), heights, rivers=rivers, start=(3.0, 9.0), goal=GOAL)
     return scattered(bare, Scatter(
         seed=int(rng.integers(1 << 30)), trees=int(rng.integers(40)), rocks=int(rng.integers(50)), clear=1.2,
         tree_spacing=rng.uniform(0.3, 2.5), rock_radius=(0.25, rng.uniform(0.3, 1.0)),
@@ -58,13 +65,17 @@ def faults(k: int, seconds: float = 30.0) -> Counter:
     except (InputError, NoWay):
         return Counter(none=1)
     sim.keep_footprints()
-    found, leg, before = Counter(), float(who.biped.leg.nominal_length), _knees(sim)
+    found, watch = Counter(), Watch(who)
     for _ in range(int(60 * seconds)):
         sim.tick()
-        knees = _knees(sim)
-        if np.linalg.norm(knees - before, axis=2).max() > JUMP * leg:
-            found[f"{kind} {who.name} {world.terrain}: a knee jumps"] += 1
-        before = knees
+        found.update(f"{kind} {who.name} {world.terrain}: {what}" for what in watch.see(sim.snapshot()))
+        if sim.time < seconds - STUCK:
+            then = sim.snapshot().com[:, :2]
+    far = np.linalg.norm(sim.snapshot().com[:, :2] - then, axis=1)
+    at_goal = kind in ("walk", "river") and np.linalg.norm(sim.snapshot().com[:, :2] - GOAL, axis=1).max() < AT_GOAL
+    no_way = kind == "walk" and world.rivers  # who walks does not hop
+    if not at_goal and not no_way and far.min() < who.biped.gait.preferred_step:
+        found[f"{kind} {who.name} {world.terrain}: stuck"] += 1
     prints = sim.walked().footprints
     for n in range(len(prints.side)):
         (x, y), heading = prints.position[n, :2].tolist(), float(prints.heading[n])
@@ -74,14 +85,34 @@ def faults(k: int, seconds: float = 30.0) -> Counter:
     return found
 
 
-def _knees(sim: Simulation) -> np.ndarray:
-    """(C, 2, 3) of everyone, from their centres of mass [m]."""
-    pose = sim.snapshot()
-    return pose.knee - pose.com[:, None]
+class Watch:
+    """What is wrong with a body, tick by tick."""
+
+    def __init__(self, who: Character) -> None:
+        self.leg, self.full = float(who.biped.leg.nominal_length), float(who.biped.leg.max_length)
+        self.knees: np.ndarray | None = None
+        self.balls: np.ndarray | None = None
+        self.toes: np.ndarray | None = None
+
+    def see(self, pose: Pose) -> list[str]:
+        """In words, what happened since the pose before."""
+        knees, wrong = pose.knee - pose.com[:, None], []
+        if self.knees is not None and np.linalg.norm(knees - self.knees, axis=2).max() > JUMP * self.leg:
+            wrong.append("a knee jumps")
+        if np.linalg.norm(pose.hip - pose.ankle, axis=2)[pose.contact].max(initial=0.0) > STRETCHED * self.full:
+            wrong.append("a leg is stretched")
+        balls, toes = np.where(pose.contact[..., None], pose.ball, np.nan), pose.toe - pose.ball
+        if self.balls is not None:
+            flat = np.linalg.norm(toes - self.toes, axis=2) < 1e-9  # the sole is not coming down
+            moved = np.linalg.norm(balls - self.balls, axis=2)[flat]
+            if np.nanmax(moved, initial=0.0) > SKATES:
+                wrong.append("a foot skates")
+        self.knees, self.balls, self.toes = knees, balls, toes
+        return wrong
 
 
 def _planner(kind: str) -> object:
-    walk = WalkTo([(3.0, 9.0, 0.0)], [[(21.0, 9.0)]])
+    walk = WalkTo([(3.0, 9.0, 0.0)], [[GOAL]])
     return {"wander": Wander(), "crowd": Wander(), "river": RockHop(), "walk": walk}[kind]
 
 
