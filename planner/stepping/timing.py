@@ -35,7 +35,7 @@ LEAST_SWING = 0.9
 """Shortest time for a swing, in pendulum times."""
 PUSH, LEAST_PUSH, COVER = 0.9, 0.5, 1.3
 """Stance before a leap: longest and shortest, in pendulum times, and in times that the leg's reach is crossed at its speed."""
-ALONE = 0.42
+ALONE = 0.38
 """Shortest time, in pendulum times, for which a foot pushes alone before a flight: the other one, which is to land, is ahead by
 then. From a stand one shifts the weight for long, and the leg that was left behind would be torn off the ground."""
 CATCH = 2.6

@@ -86,9 +86,9 @@ def test_a_scripted_facing_turns_the_hips_and_is_optimised():
 @pytest.mark.parametrize("support, share", [("middle", 0.5), ("toe", 1.0)])
 def test_the_papers_points_of_support(support, share):
     show = Performance(load_scene("fig17_walking_turn").changed(support=support))
-    pose = show.snapshot(0.5 * show.end)
+    pose = show.snapshot(0.3 * show.end)
     foot = int(np.flatnonzero(pose.contact[0])[0])
-    walked, t = show.track(0), 0.5 * show.end
+    walked, t = show.track(0), 0.3 * show.end
     n = int(np.flatnonzero((walked.side == foot) & (walked.contact_time <= t))[-1])
     along = np.array([np.cos(walked.heading[n]), np.sin(walked.heading[n])])
     offset = (pose.point_of_support[0, foot, :2] - walked.position[n, :2]) @ along
