@@ -84,20 +84,12 @@ def speed_behind(
 
     v = s / gap (collision-free speed model, Tordeux, Chraibi & Seyfried 2016), where s is the way until the bodies touch when
     my step, which takes `time` [s], has landed, and the other has kept its pace along d: s = way - v time, so v = way / (gap +
-    time). Its pace across d, or against it, does not count: those who converge on a door would all wait for each other. Whom
-    I would touch only with a part of my width needs the same part of the gap, since so much of a step aside passes it by: in a
-    door two files interlock, each in the other's gaps (the zipper effect, Seyfried et al. 2009). Between walls alone: where
-    there is room to go around, two would come so near to each other that neither gets by.
+    time). Its pace across d, or against it, does not count: those who converge on a door would all wait for each other.
     """
     far = time * max(other.vx * dx + other.vy * dy, 0.0)
     px, py = other.x + far * dx, other.y + far * dy
     way = way_to(walker, other, px, py, dx, dy, SHOULDER, most * (gap + time))
-    if way == inf:
-        return inf
-    mine, its = ((walker.deep, walker.wide), (other.deep, other.wide))
-    across = extent(mine, (walker.face_x, walker.face_y), -dy, dx) + extent(its, (other.face_x, other.face_y), -dy, dx)
-    part = 1 - abs(px * dy - py * dx) / (SHOULDER * across) if walker.walled else 1.0
-    return max(way + walker.squeeze, 0.0) / (gap * part + time)
+    return inf if way == inf else max(way + walker.squeeze, 0.0) / (gap + time)
 
 
 @jit_inline

@@ -9,7 +9,6 @@ from planner.stepping import timing
 from planner.stepping.beside import middle_beside
 from planner.stepping.footing import needs_care
 from worlds import queries
-from worlds.arrays import REACH
 from worlds.compiled.jit import jit_borrowing
 
 SQUEEZE, PRESSED = 0.25, 20
@@ -50,7 +49,6 @@ class Walker(NamedTuple):
     squeeze: float  # how far it presses into the room that bodies keep [m]
     room: float  # from its middle to the nearest tree, wall, water or border [m]
     careful: bool  # the ground around the last footprint needs to be looked at
-    walled: bool  # walls are near
 
 
 @jit_borrowing
@@ -75,7 +73,7 @@ def walker_of(round: Round, me: Me, course: float) -> Walker:
     return Walker(
         me.c, 1 - newer.side, newer.x, newer.y, x, y, newer.heading, rest_x, rest_y, contact, contact + lag(biped), overlap,
         _margin(half, room), full, False, 0.0, 0.0, me.hindered, course, cos(facing), sin(facing), deep, wide, squeeze, room,
-        careful, queries.wall_clearance(round.world, x, y) < REACH,
+        careful,
     )  # fmt: skip
 
 
@@ -84,5 +82,5 @@ def calmed(w: Walker, wish_x: float, wish_y: float) -> Walker:
     """The same, who wishes for no more than that velocity [m/s]."""
     return Walker(
         w.c, w.side, w.foot_x, w.foot_y, w.x, w.y, w.heading, w.rest_x, w.rest_y, w.time, w.there, w.overlap, w.margin, w.full,
-        True, wish_x, wish_y, w.hindered, w.course, w.face_x, w.face_y, w.deep, w.wide, w.squeeze, w.room, w.careful, w.walled,
+        True, wish_x, wish_y, w.hindered, w.course, w.face_x, w.face_y, w.deep, w.wide, w.squeeze, w.room, w.careful,
     )  # fmt: skip

@@ -28,14 +28,6 @@ def test_the_edge_of_a_shoulder_is_passed_by():
     assert speed(waiting(), other(1.0, 0.46)) == np.inf > speed(waiting(), other(1.0, 0.4))
 
 
-def test_whom_one_would_touch_with_a_part_of_its_width_needs_that_part_of_the_gap():
-    across, deep = 0.5, 0.3
-    for aside in (0.0, 0.1, 0.2, 0.3, 0.4):
-        way = 1.0 - deep * np.sqrt(1 - (aside / (terms.SHOULDER * across)) ** 2)
-        gap = 0.6 * (1 - aside / (terms.SHOULDER * across))
-        assert speed(waiting(), other(1.0, aside)) == pytest.approx(way / (gap + 0.5)) == speed(waiting(), other(1.0, -aside))
-
-
 def test_a_step_is_as_long_as_the_body_comes_to_rest_where_it_touches_who_stops():
     me = waiting()._replace(foot_x=5.0, foot_y=4.93, side=0)
     long = _room_in(me, other(0.7, 0.0), bearing_of(B, me, 0), 0.7)

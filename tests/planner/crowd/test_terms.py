@@ -77,7 +77,6 @@ def waiting(hindered=0, side=0, course=0.0):
         0.0,
         9.0,
         False,
-        True,
     )
 
 
