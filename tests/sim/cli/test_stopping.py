@@ -22,7 +22,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals of POSI
 def test_a_stopped_run_keeps_what_it_has(name, status, tmp_path):
     run, state = tmp_path / "run.npz", tmp_path / "state.npz"
     command = [sys.executable, "main.py", "--headless", "--seconds", "900000", "--record", str(run), "--save", str(state)]
-    heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # also where the tests run behind a shell, deaf to Ctrl-C
+    heard = partial(signal.signal, getattr(signal, name), signal.SIG_DFL)  # also where the tests run deaf to it, as under nohup
     program = subprocess.Popen(command, cwd=main.HERE, stderr=subprocess.PIPE, stdout=subprocess.PIPE, preexec_fn=heard)
     said = b""
     while b"]" not in said:  # the bar: it runs
