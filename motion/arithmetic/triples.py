@@ -20,6 +20,12 @@ def cross(u: Triple, v: Triple) -> Triple:
 
 
 @jit_inline
+def plus(u: Triple, v: Triple) -> Triple:
+    """u + v"""
+    return u[0] + v[0], u[1] + v[1], u[2] + v[2]
+
+
+@jit_inline
 def minus(u: Triple, v: Triple) -> Triple:
     """u - v"""
     return u[0] - v[0], u[1] - v[1], u[2] - v[2]

@@ -124,13 +124,8 @@ def _lay_sample(biped: Dimensions, stance: Stance, problem: Problem, i: int, j: 
         problem.standing[j, leg, i] = n >= 0
         if n >= 0:
             u = foot.stance_share(footprints, n, moment.t)
-            _put(
-                problem.support_point,
-                j,
-                leg,
-                i,
-                _standing_point(biped, stance, n, u, foot.pressing_at(biped, footprints, n, u), 0.0),
-            )
+            pressing = foot.pressing_at(biped, footprints, n, u)
+            _put(problem.support_point, j, leg, i, _standing_point(biped, stance, n, u, pressing, 0.0))
             _put(problem.leg_origin, j, leg, i, _origin(biped, stance, n, leg, moment, u))
             problem.nominal_length[j, leg, i] = nominal_at(biped, footprints, n, u)
 

@@ -10,11 +10,10 @@ import numpy as np
 
 from motion.arithmetic import rotations
 from motion.arithmetic.rotations import Axes, Quaternion
-from motion.arithmetic.triples import Triple, cross, dot, minus, norm, times, unit
+from motion.arithmetic.triples import Triple, cross, dot, minus, norm, plus, times, unit
 from motion.characters.dimensions import Dimensions
-from motion.pose import limbs
 from motion.pose.bones import BONES, INDEX, Bones
-from motion.pose.limbs import TAIL, neck_links
+from motion.pose.limbs import FLAP, TAIL, neck_links
 from motion.pose.pose import Pose
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 
@@ -40,6 +39,12 @@ def _place(array: np.ndarray, c: int) -> Triple:
 @jit_inline
 def _rotation(array: np.ndarray, c: int) -> Quaternion:
     return array[c, 0], array[c, 1], array[c, 2], array[c, 3]
+
+
+@jit_inline
+def _elevation(up: float) -> float:
+    """How far [rad] a unit vector with that upward part points up, also where rounding made it longer."""
+    return asin(min(max(up, -1.0), 1.0))
 
 
 @jit_inline
@@ -113,7 +118,7 @@ def _carried(q: Quaternion, v: Triple) -> Triple:
 def _neck(biped: Dimensions, pose: Pose, c: int, chest: Quaternion, bones: Bones) -> None:
     """The neck points to the head, turned from the head's own axes by as little as that takes; or it bends in two links."""
     head, (lower, upper) = _rotation(pose.head_rotation_wxyz, c), neck_links(biped)
-    way, rest = minus(_place(pose.head, c), _place(pose.neck, c)), minus(lower, times(-1.0, upper))
+    way, rest = minus(_place(pose.head, c), _place(pose.neck, c)), plus(lower, upper)
     if biped.body.head_bob > 0:
         above = _bent_neck(bones, c, chest, way, (lower, upper))
     elif norm(rest) > 0:
@@ -134,7 +139,7 @@ def _bent_neck(bones: Bones, c: int, chest: Quaternion, way: Triple, rest: tuple
     link, half, left = norm(rest[0]), times(0.5, way), _axis_left(chest)
     aside = unit(minus(left, times(dot(left, way) / max(dot(way, way), 1e-12), way)))
     bulge = times(max(link * link - dot(half, half), 0.0) ** 0.5, unit(cross(aside, way)))
-    first, second = minus(half, times(-1.0, bulge)), minus(half, bulge)
+    first, second = plus(half, bulge), minus(half, bulge)
     bones.stretch[c, NECK], bones.stretch[c, NECK_2] = norm(first) / link, norm(second) / link
     above = _turn(bones, c, NECK, chest, _turned_to(rest[0], first, aside))
     return _turn(bones, c, NECK_2, above, _turned_to(rest[1], second, aside))
@@ -154,18 +159,22 @@ def _tail(pose: Pose, c: int, body: Quaternion, bones: Bones) -> None:
         x, y, z = pose.tail[c, k, 0] - pose.tail[c, k + 1, 0], pose.tail[c, k, 1] - pose.tail[c, k + 1, 1], 0.0
         z = pose.tail[c, k, 2] - pose.tail[c, k + 1, 2]
         forward = unit((x, y, z))
-        world = rotations.quaternion(atan2(forward[1], forward[0]), -asin(min(max(forward[2], -1.0), 1.0)), 0.0)
+        world = rotations.quaternion(atan2(forward[1], forward[0]), -_elevation(forward[2]), 0.0)
         above = _turn(bones, c, TAIL_ROOT + k, above, world)
 
 
 @jit_borrowing
 def _wings(biped: Dimensions, pose: Pose, c: int, chest: Quaternion, bones: Bones) -> None:
-    """Wings open where the body falls, as in a hop, and fold on the ground; the tail says how it falls (limbs.lay_tail)."""
+    """Wings open where the body falls, as in a hop, and fold on the ground.
+
+    How it falls the tail says (limbs.lay_tail): bones follow from a pose alone, as a recording has it, and a pose of one moment
+    knows no past.
+    """
     body, forward, falls = biped.body, _carried(_rotation(pose.body_rotation_wxyz, c), (1.0, 0.0, 0.0)), 0.0
-    rest = body.tail_rise + 0.5 * asin(min(max(forward[2], -1.0), 1.0))
+    rest = body.tail_rise + 0.5 * _elevation(forward[2])
     for k in range(TAIL):
-        piece, most = body.tail_length / TAIL, limbs.FLAP * body.tail_sway * (k + 1) / TAIL
-        rise = asin(min(max((pose.tail[c, k + 1, 2] - pose.tail[c, k, 2]) / piece, -1.0), 1.0))
+        piece, most = body.tail_length / TAIL, FLAP * body.tail_sway * (k + 1) / TAIL
+        rise = _elevation((pose.tail[c, k + 1, 2] - pose.tail[c, k, 2]) / piece)
         falls += (rise - rest) / max(most, 1e-6) / TAIL
     falls = max(falls, 0.0)
     open_ = falls**3 / (falls**3 + HARDLY)
@@ -185,7 +194,7 @@ def fill_bones(biped: Dimensions, pose: Pose, c: int, bones: Bones) -> None:
         bones.root[c, k] = pose.com[c, k]
     nothing = (1.0, 0.0, 0.0, 0.0)
     across = minus(_point(pose.hip, c, 0), _point(pose.hip, c, 1))
-    roll = asin(min(max(across[2] / norm(across), -1.0), 1.0))
+    roll = _elevation(across[2] / norm(across))
     root = _turn(bones, c, ROOT, nothing, rotations.quaternion(atan2(-across[0], across[1]), 0.0, roll))
     body = _turn(bones, c, BODY, root, _rotation(pose.body_rotation_wxyz, c))
     _turn(bones, c, PELVIS, root, _rotation(pose.pelvis_rotation_wxyz, c))

@@ -76,9 +76,7 @@ def _way_to_body(walker: Walker, other: Any, px: float, py: float, dx: float, dy
 
 
 @jit_inline
-def speed_behind(
-    walker: Walker, other: Any, dx: float, dy: float, time: float, gap: float, most: float = inf
-) -> float:  # fmt: skip
+def speed_behind(walker: Walker, other: Any, dx: float, dy: float, time: float, gap: float, most: float = inf) -> float:
     """The speed [m/s] in the direction of a unit vector d that the time gap [s] to one ahead allows; inf: I pass it by, or it
     allows more than `most`.
 
@@ -87,8 +85,7 @@ def speed_behind(
     time). Its pace across d, or against it, does not count: those who converge on a door would all wait for each other.
     """
     far = time * max(other.vx * dx + other.vy * dy, 0.0)
-    px, py = other.x + far * dx, other.y + far * dy
-    way = way_to(walker, other, px, py, dx, dy, SHOULDER, most * (gap + time))
+    way = way_to(walker, other, other.x + far * dx, other.y + far * dy, dx, dy, SHOULDER, most * (gap + time))
     return inf if way == inf else max(way + walker.squeeze, 0.0) / (gap + time)
 
 

@@ -19,15 +19,8 @@ _FRAMES = (
 _PRINTS = ("side", "position", "heading", "normal", "contact_time", "stance_time", "rock")
 """Columns of footprints that are measured; others may be missing."""
 _DIMENSIONS = (
-    "nominal_length",
-    "max_length",
-    "metatarsus",
-    "shank_radius",
-    "hip_height",
-    "foot_length",
-    "ball_forward",
-    "max_turn",
-)
+    "nominal_length", "max_length", "metatarsus", "shank_radius", "hip_height", "foot_length", "ball_forward", "max_turn",
+)  # fmt: skip
 _LARGEST = (
     "stance_slide", "skate", "footprint_error", "contact_error", "penetration", "overreach", "flight_residual",
     "physics_cost_error",
