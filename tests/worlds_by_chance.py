@@ -70,11 +70,10 @@ def faults(k: int, seconds: float = 30.0) -> Counter:
         sim.tick()
         found.update(f"{kind} {who.name} {world.terrain}: {what}" for what in watch.see(sim.snapshot()))
         if sim.time < seconds - STUCK:
-            then = sim.snapshot().com[:, :2]
-    far = np.linalg.norm(sim.snapshot().com[:, :2] - then, axis=1)
+            then, far = sim.snapshot().com[:, :2], np.zeros(len(sim.snapshot().com))
+        far = np.maximum(far, np.linalg.norm(sim.snapshot().com[:, :2] - then, axis=1))
     at_goal = kind in ("walk", "river") and np.linalg.norm(sim.snapshot().com[:, :2] - GOAL, axis=1).max() < AT_GOAL
-    no_way = kind == "walk" and world.rivers  # who walks does not hop
-    if not at_goal and not no_way and far.min() < who.biped.gait.preferred_step:
+    if not at_goal and far.min() < who.biped.gait.preferred_step:
         found[f"{kind} {who.name} {world.terrain}: stuck"] += 1
     prints = sim.walked().footprints
     for n in range(len(prints.side)):

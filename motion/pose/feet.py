@@ -10,7 +10,7 @@ from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from motion.pose import legs, swing
 from motion.pose.pose import Pose
-from motion.track import foot
+from motion.track import foot, heel
 from motion.track.footprints import Footprints
 from motion.track.leg import landing_reach, leaving_reach
 from worlds.compiled.jit import jit_borrowing, jit_inline
@@ -62,6 +62,11 @@ def footprints_at(footprints: Footprints, leg: int, t: float) -> tuple[int, int]
 @jit_inline
 def _set(array: np.ndarray, c: int, leg: int, point: Triple) -> None:
     array[c, leg, 0], array[c, leg, 1], array[c, leg, 2] = point
+
+
+@jit_inline
+def _at(array: np.ndarray, c: int, leg: int) -> Triple:
+    return array[c, leg, 0], array[c, leg, 1], array[c, leg, 2]
 
 
 @jit_inline
@@ -157,6 +162,16 @@ def _keep_in_reach(biped: Dimensions, hip: Triple, s: float, kept: tuple[float, 
 
 
 @jit_inline
+def _keep_heel_in_reach(biped: Dimensions, hip: Triple, pose: Pose, c: int, leg: int) -> None:
+    """Raises the heel of a standing foot whose leg would be too long."""
+    raised, ankle = heel.kept_in_reach(
+        _at(pose.ball, c, leg), _at(pose.heel, c, leg), _at(pose.ankle, c, leg), hip, biped.leg.max_length
+    )
+    _set(pose.heel, c, leg, raised)
+    _set(pose.ankle, c, leg, ankle)
+
+
+@jit_inline
 def _keep_below(biped: Dimensions, hip: Triple, s: float, pose: Pose, c: int, leg: int) -> None:
     """Lowers a foot that swings past its hip, so that the leg hangs: by l (1 - (h / UNDER_HIP l)^2) at a distance h aside.
 
@@ -199,6 +214,8 @@ def pose_leg(biped: Dimensions, footprints: Footprints, n: int, leg: int, body: 
         u = foot.stance_share(footprints, n, t)
         _set(pose.point_of_support, c, leg, foot.point_of_support(biped, footprints, n, u))
         toes = _stand(biped, footprints, n, t, pose, c, leg)
+        if u >= foot.FLAT_BY:
+            _keep_heel_in_reach(biped, hip, pose, c, leg)
     else:
         pose.point_of_support[c, leg] = np.nan
         toes = _swing(biped, footprints, leg, yaw, t, pose, c)

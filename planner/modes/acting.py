@@ -9,9 +9,8 @@ from motion.characters.character import Character
 from planner.planner import Situation, as_numbers
 from planner.round.kernel import Compiled
 from planner.round.round import UNHURRIED, Me, Round, Wish, biped_of, standing
-from planner.stepping.acting import acted
 from planner.stepping.beside import middle_beside, middle_of
-from planner.stepping.going_on import going_on
+from planner.stepping.going_on import acted, going_on
 from worlds.compiled.jit import jit_borrowing
 from worlds.world import World
 
@@ -25,7 +24,7 @@ LEAST = 0.06
 class Actions(NamedTuple):
     """What C walkers wish."""
 
-    action: np.ndarray  # (C, 3) each -1 to 1 (planner.stepping.acting)
+    action: np.ndarray  # (C, 3) each -1 to 1 (planner.stepping.going_on)
     goes: np.ndarray  # (C,) bool: who does not stands where it is
 
 

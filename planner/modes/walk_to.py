@@ -1,18 +1,18 @@
 """Walking to places: everyone goes to its own, one after the other, around whatever stands in the way."""
 
 from math import atan2, cos, hypot, sin
-from typing import NamedTuple
 
 import numpy as np
 
 from motion.characters.character import Character
+from planner.modes.stops import Stops, check_stops, check_ways, empty_stops, is_last_stop, stop_of
 from planner.planner import Situation, as_numbers
 from planner.round.kernel import Compiled
 from planner.round.round import PATIENT, Me, Round, Wish, biped_of
 from planner.stepping.arriving import arrive, drawn, sees, walk_down, walk_on
 from planner.stepping.beside import Place, middle_beside
-from planner.stepping.field import course_down, fields_to
-from planner.stepping.footing import surely
+from planner.stepping.field import course_down, fields_to, for_all
+from planner.stepping.finding import surely
 from planner.stepping.steering import Onward, free_way, lengthened
 from worlds import queries
 from worlds.arrays import STAIRS, WorldArrays
@@ -27,44 +27,6 @@ FORESIGHT, GLANCE = 3.0, 0.4
 """Others are told where the way leads in so many preferred steps, found in steps of so many."""
 ABEAM = 0.7
 """Whom others hinder has passed a stop on the way once the cosine between its direction and the leg to it is below this."""
-
-
-class Stops(NamedTuple):
-    """Where C walkers go, and how far they have come."""
-
-    start: np.ndarray  # (C, 2) where each set out [m]
-    stops: np.ndarray  # (C, P, 2) places to walk to, one after the other [m]
-    again: np.ndarray  # (C,) bool: from the last stop on to the first
-    near: np.ndarray  # (C,) a stop on the way is reached within this distance [m]
-    reached: np.ndarray  # (C,) how many stops each has reached
-    fields: np.ndarray  # (G, rows, columns) ways to goals, float32 (planner.stepping.field)
-    cell: np.ndarray  # (1,) edge of their cells [m]
-    field: np.ndarray  # (C, P) which of them leads to a stop; -1: the way is straight
-    pace: np.ndarray  # (C,) share of its own step that each takes, at most 1
-    draw: np.ndarray  # (C, 2) added to the unit vector of its course: toward those with whom it walks
-
-    @staticmethod
-    def shared() -> tuple[str, ...]:
-        """Columns of all characters together."""
-        return "fields", "cell"
-
-    @staticmethod
-    def endless() -> tuple[str, ...]:
-        """Columns that may hold inf: no way leads from there."""
-        return ("fields",)
-
-
-@jit_borrowing
-def stop_of(plans: Stops, c: int, reached: int) -> int:
-    """Which stop character c walks to after it has reached so many."""
-    stops = plans.stops.shape[1]
-    return reached % stops if plans.again[c] else min(reached, stops - 1)
-
-
-@jit_borrowing
-def is_last_stop(plans: Stops, c: int, reached: int) -> bool:
-    """Whether the stop that character c walks to is its last."""
-    return not plans.again[c] and reached >= plans.stops.shape[1] - 1
 
 
 @jit_borrowing
@@ -163,34 +125,6 @@ def _next_step(round: Round, me: Me) -> Wish:
     return step_to_stop(round, me)
 
 
-def empty_stops(characters: int, stops: int) -> Stops:
-    """So many stops of so many characters, all at 0, 0, with no fields."""
-    c = characters
-    whole, none = np.zeros(c, np.int64), np.full((c, stops), -1, np.int64)
-    fields = np.zeros((0, 1, 1), np.float32)
-    return Stops(
-        np.zeros((c, 2)), np.zeros((c, stops, 2)), np.zeros(c, np.bool_), np.zeros(c), whole, fields, np.ones(1), none,
-        np.ones(c), np.zeros((c, 2)),
-    )  # fmt: skip
-
-
-def _check_stops(stops: np.ndarray, world: World) -> None:
-    """Raises InputError for a stop outside, in a tree, in a wall or in water."""
-    for c, p in np.ndindex(stops.shape[:2]):
-        x, y = stops[c, p].tolist()
-        why = ""
-        if queries.border_clearance(world.arrays, x, y) < 0:
-            why = f"is outside the world; 0..{world.size[0]:g} by 0..{world.size[1]:g} is allowed"
-        elif queries.tree_clearance(world.arrays, x, y) < 0:
-            why = "is in a tree"
-        elif queries.wall_clearance(world.arrays, x, y) < 0:
-            why = "is in a wall"
-        elif queries.in_water(world.arrays, x, y):
-            why = "is in water"
-        if why:
-            raise InputError(f"stops.{c}.{p} at ({x:g}, {y:g}): {why}")
-
-
 _PLANNING = Compiled(_next_step, empty_stops(1, 1))
 
 
@@ -220,18 +154,23 @@ class WalkTo:
         return self.places
 
     def prepare(self, situation: Situation) -> Stops:
-        """Plans for all; a stop that was reached stays reached. Raises InputError for stops where nobody can be."""
+        """Plans for all; a stop that was reached stays reached.
+
+        Raises InputError for stops where nobody can be, NoWay for one to which no way leads.
+        """
         if situation.before is None:
-            _check_stops(self.stops, situation.world)
+            check_stops(self.stops, situation.world)
         plans = empty_stops(len(situation.characters), 1)
         plans.again[:], plans.near[:] = self.again, self.near
         reached = plans.reached if situation.before is None else situation.before.reached
-        widest = max((one.biped for one in situation.characters), key=lambda biped: float(biped.body.radius))
-        fields, cell, which = fields_to(situation.world, widest, self.stops.reshape(-1, 2))
-        return plans._replace(
+        everyone = for_all([one.biped for one in situation.characters])
+        fields, cell, which = fields_to(situation.world, everyone, self.stops.reshape(-1, 2))
+        plans = plans._replace(
             start=self.places[:, :2].copy(), stops=self.stops, reached=reached, fields=fields, cell=np.array([cell]),
             field=which.reshape(self.stops.shape[:2]),
         )  # fmt: skip
+        check_ways(plans, situation)
+        return plans
 
     def check_plans(self, plans: Stops, characters: int) -> None:
         """Whether plans from a file are of these stops. Raises ValueError."""

@@ -19,9 +19,9 @@ from planner.round.round import Me, Round, Wish, biped_of
 from planner.stepping import random
 from planner.stepping.arriving import sees, walk_down, walk_on
 from planner.stepping.beside import Place, middle_beside
-from planner.stepping.field import fields_to
-from planner.stepping.footing import surely
-from planner.stepping.steering import LOOK_STEPS, MARGIN, Onward, lengthened, step_toward
+from planner.stepping.field import fields_to, for_all
+from planner.stepping.finding import surely
+from planner.stepping.steering import LOOK_STEPS, MARGIN, Onward, lengthened, longest_way, step_toward
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
 from worlds.errors import InputError
@@ -36,6 +36,8 @@ TRIES = 400
 """Places tried for each start."""
 APART = 1.4
 """Distance between bodies at the start, in the sum of their radii."""
+WAY = 5.0
+"""Chance starts nobody where no way leads straight on for so many preferred steps."""
 THERE = 1.0
 """Who walks to a goal is there within so many preferred steps."""
 DETOURS, SPARE = 3.0, 20
@@ -136,8 +138,7 @@ class Wander:
         same = (errands.goal == before.goal).all()
         if same and not before.steps.any():
             return errands
-        widest = max((one.biped for one in situation.characters), key=lambda biped: float(biped.body.radius))
-        fields, cell, _ = fields_to(world, widest, errands.goal[:1])
+        fields, cell, _ = fields_to(world, for_all([one.biped for one in situation.characters]), errands.goal[:1])
         errands = errands._replace(fields=fields, cell=np.array([cell]))
         if same:
             return errands._replace(steps=before.steps.copy())
@@ -178,12 +179,18 @@ class _Room:
             x, y = (size[i] * random.uniform(seed, c, 3 * k + i, random.PLACE) for i in (0, 1))
             if clearance(self.world.arrays, x, y) > radius + MARGIN and self._is_free(x, y, radius):
                 place = (x, y, 2 * np.pi * random.uniform(seed, c, 3 * k + 2, random.PLACE))
-                if self.even or fault_of_place(self.world, character, place) is None:
+                if self.even or self._is_fit(character, place):
                     return place
         raise InputError(
             f"{self.world.name}: no room for {character.name} number {c + 1} to start apart from the others; "
             "use fewer --characters or a level with more room"
         )
+
+    def _is_fit(self, character: Character, place: tuple[float, float, float]) -> bool:
+        """Whether it can stand there, and go on: from a high rock, or a hole, no step leads away."""
+        far = WAY * float(character.biped.gait.preferred_step)
+        on = longest_way(character.biped, self.world.arrays, place[0], place[1], far)
+        return on >= far and fault_of_place(self.world, character, place) is None
 
     def _is_free(self, x: float, y: float, radius: float) -> bool:
         i, j = int(x / self.cell), int(y / self.cell)

@@ -13,7 +13,7 @@ from motion.track.footprints import RIGHT, Foot, Footprints, Step, walker_headin
 from planner.planner import NoWay
 from planner.river.crossing import GOAL, START, Country, Crossing
 from planner.river.search import State
-from planner.stepping import footing, strides
+from planner.stepping import finding, footing, strides
 from planner.stepping.beside import Place, middle_of
 from worlds import queries
 
@@ -92,7 +92,7 @@ def _keep_standing(crossing: Crossing, steps: list[Step]) -> None:
         if why == footing.FINE or step.side == before.side or queries.rock_under(world, step.x, step.y, 0.0) >= 0:
             continue
         middle = middle_of(biped, step.side, (step.x, step.y), step.heading)
-        (x, y), heading = footing.nearest_footing(biped, world, foot, middle, step.heading)
+        (x, y), heading = finding.nearest_footing(biped, world, foot, middle, step.heading)
         if np.isinf(heading):
             place = f"({step.x:.2f}, {step.y:.2f})"
             name = crossing.character.name

@@ -10,7 +10,7 @@ from planner.round.round import Me, Round, Wish, biped_of, standing
 from planner.stepping import random
 from planner.stepping.beside import Place, middle_beside
 from planner.stepping.field import course_down
-from planner.stepping.footing import surely
+from planner.stepping.finding import surely
 from planner.stepping.steering import LOOK_STEPS, Onward, free_way, lengthened, step_toward, step_within
 from worlds import queries
 from worlds.arrays import WorldArrays

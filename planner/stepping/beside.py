@@ -7,6 +7,8 @@ from motion.track.footprints import LEFT, Foot, outward
 from worlds.compiled.jit import jit_borrowing
 
 Place = tuple[float, float]
+BESIDE, ACROSS = 0.55, -0.2
+"""A foot is set down so far to its own side of the other one, in step widths: beside it, and well ahead of it."""
 
 
 @jit_borrowing
@@ -37,3 +39,13 @@ def middle_of(biped: Dimensions, side: int, place: Place, heading: float) -> Pla
 def middle_beside(biped: Dimensions, foot: Foot) -> Place:
     """Middle of the walker who stands on a foot."""
     return middle_of(biped, foot.side, (foot.x, foot.y), foot.heading)
+
+
+@jit_borrowing
+def keeps_apart(biped: Dimensions, foot: Foot, x: float, y: float) -> bool:
+    """Whether a place for the other foot lies on its own side of this one: feet are not set down upon each other."""
+    c, s = cos(foot.heading), sin(foot.heading)
+    dx, dy = x - foot.x, y - foot.y
+    ahead, aside = dx * c + dy * s, dy * c - dx * s
+    own = -aside if foot.side == LEFT else aside
+    return own >= (ACROSS if abs(ahead) > 1.2 * biped.foot.length else BESIDE) * biped.gait.step_width

@@ -1,16 +1,17 @@
-"""Ways around walls, water and trees: how far it is to a goal from everywhere, one field for all who go there.
+"""Ways around walls, water, trees and rocks too high to step on: how far it is to a goal from everywhere, one field for all.
 
 The distance u solves the eikonal equation |grad u| F = 1 with u = 0 at the goal, by Godunov's upwind scheme, as in fast
 marching (Sethian 1996), swept in four orders until nothing changes (Zhao 2005). F, the share of the speed, falls beside walls,
 so that ways keep off them. One goes down the field: along - grad u.
 """
 
+from copy import deepcopy
 from math import atan2, inf, sqrt
 
 import numpy as np
 
 from motion.characters.dimensions import Dimensions
-from planner.stepping.footing import is_steep
+from planner.stepping.footing import beside_rocks, is_steep
 from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit, jit_borrowing
@@ -28,6 +29,8 @@ SLIM = 0.1
 """Cells are open whose middle has so much [m] less around it than the body needs: their corners may have more."""
 SLOW, CALM = 0.5, 0.12
 """Least F, beside a wall, and how far from there [m] it is 1."""
+NEAR = 1
+"""So many cells around a place are looked at for the way from it: it may lie in one that is closed."""
 AROUND = 1.6
 """So many cells around a goal are open, whatever lies there."""
 
@@ -39,7 +42,7 @@ def lay_out(biped: Dimensions, world: WorldArrays, cell: float, slowness: np.nda
     for i in range(rows):
         for j in range(columns):
             x, y = (j + 0.5) * cell, (i + 0.5) * cell
-            room = queries.clearance(world, x, y) - biped.body.radius + SLIM
+            room = min(queries.clearance(world, x, y) - biped.body.radius + SLIM, beside_rocks(biped, world, x, y, CALM))
             blocked = room < 0 or is_steep(biped, world, x, y)
             slowness[i, j] = inf if blocked else 1 / min(max(room / CALM, SLOW), 1.0)
 
@@ -120,13 +123,32 @@ def course_down(field: np.ndarray, cell: float, x: float, y: float, otherwise: f
     return atan2(-gy, -gx) if gx != 0 or gy != 0 else otherwise
 
 
+def for_all(bipeds: list[Dimensions]) -> Dimensions:
+    """Whose ways are ways for all of them: as wide as the widest, and steps as high as the one that steps lowest."""
+    widest = deepcopy(max(bipeds, key=lambda one: float(one.body.radius)))
+    widest.reach.max_rise = min(float(one.reach.max_rise) for one in bipeds)
+    return widest
+
+
+def ways_from(fields: np.ndarray, cell: float, which: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """How long the ways from places (N, 2) are, in metres at free speed, inf where none leads: (..., N) as `which` has it.
+
+    which: of fields (G, rows, columns) of such cells [m], one for each place (N,), or several for all (A, 1).
+    """
+    rows, columns = fields.shape[1:]
+    i, j = (np.clip((places[:, k] / cell).astype(int), 0, (rows, columns)[1 - k] - 1) for k in (1, 0))
+    around = range(-NEAR, NEAR + 1)
+    near = ((np.clip(i + a, 0, rows - 1), np.clip(j + b, 0, columns - 1)) for a in around for b in around)
+    return np.min([fields[which, a, b] for a, b in near], axis=0)
+
+
 def fields_to(world: World, biped: Dimensions, goals: np.ndarray) -> tuple[np.ndarray, float, np.ndarray]:
     """Fields (G, rows, columns) of the goals (N, 2) [m], the edge of their cells [m], and which each goal has (N,), -1: none.
 
     None where nothing is in anyone's way. Deterministic: goals that lie together share the field of the first of them.
     """
     which, none = np.full(len(goals), -1, np.int64), np.zeros((0, 1, 1), np.float32)
-    if not (len(world.walls) or len(world.trees) or len(world.rivers)):
+    if world.terrain == "flat" and not any(map(len, (world.walls, world.trees, world.rivers, world.rocks))):
         return none, FINEST, which
     area = world.size[0] * world.size[1]
     cell = max(FINEST, float(np.sqrt(area / MOST_CELLS)))

@@ -9,8 +9,7 @@ from math import cos, hypot, inf, sin
 
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import Foot
-from planner.round.round import Me, Round, Wish, biped_of, standing, stepping
-from planner.stepping.beside import Place, beside, middle_beside, sole_heading
+from planner.stepping.beside import beside, middle_beside, sole_heading
 from planner.stepping.placing import EDGE, Ground, lay_sole
 from worlds import queries
 from worlds.arrays import FLAT, HILLS, SPIRAL_STAIRS, STAIRS, WorldArrays
@@ -22,19 +21,13 @@ TOE_ROOM, HIGH_SIDE = 0.05, 0.04
 """Room that is left before a sole [m], where ground rises by more than this [m]."""
 HILLSIDE = 2.12
 """The steepest slope of hills, in amplitudes per wavelength over a turn (worlds.queries.terrain_height)."""
+STALLED = 0.15
+"""Who gets on by less than this share of its preferred step does not get on."""
 FINE, TREE, WATER, BORDER, ROCK, STEEP, HIGH, DEEP, FAR, WALL = range(10)
 """Why not."""
 WORDS = ("", "is in a tree", "is in water", "is outside the world", "is inside a rock or a riser", "lies on too steep a slope",
          "is too high", "is too deep", "is too far", "is in a wall")  # fmt: skip
 """In words, by their numbers."""
-SHARES = (1.0, 0.85, 0.7, 0.55, 0.4, 0.25, 0.1, 0.0, -0.2, -0.4)
-"""Lengths tried instead of the wished one, in shares of it."""
-TURNS = (0.0, 0.2, -0.2, 0.45, -0.45, 0.7, -0.7, 1.0, -1.0)
-"""Turns off the wished heading that are tried, in the largest."""
-WIDTHS = (1.0, 1.4, 0.8, 1.9)
-"""Distances beside the middle that are tried, in the usual one."""
-WAIT = 0.3
-"""Who finds no place for a foot looks again after this time [s]."""
 
 
 @jit_borrowing
@@ -151,22 +144,50 @@ def _strikes(biped: Dimensions, world: WorldArrays, x: float, y: float, heading:
 
 
 @jit_borrowing
+def beside_rocks(biped: Dimensions, world: WorldArrays, x: float, y: float, far: float) -> float:
+    """Distance to the nearest rock that rises from the bare ground there by more than the highest step [m], negative on one,
+    at most `far`."""
+    low, high = queries.cell_of(world, x - far, y - far), queries.cell_of(world, x + far, y + far)
+    columns, nearest = world.columns, far
+    top = queries.terrain_height(world, x, y) + biped.reach.max_rise
+    for row in range(low // columns, high // columns + 1):
+        begin, end = row * columns + low % columns, row * columns + high % columns
+        for k in range(world.rock_start[begin], world.rock_start[end + 1]):
+            rock = world.rocks[world.rock_index[k]]
+            if rock[3] > top:
+                nearest = min(nearest, hypot(x - rock[0], y - rock[1]) - rock[2])
+    return nearest
+
+
+@jit_borrowing
 def level_way(biped: Dimensions, world: WorldArrays, x: float, y: float, course: float, far: float) -> float:
-    """Distance [m] that one can go straight on without a wall or a slope that is too high or too deep, at most `far`."""
+    """Distance [m] that one can go straight on without a wall or a slope that is too high or too deep, at most `far`.
+
+    Rocks beside the way are too high for the feet, which go half a step's width to either side of it.
+    """
     if is_gentle(biped, world) and is_bare(world, x, y, far):
         return far
     c, s, grain, done = cos(course), sin(course), 0.3 * biped.gait.preferred_step, 0.0
-    height = queries.ground_height(world, x, y)
+    height, aside = queries.ground_height(world, x, y), 0.5 * (biped.gait.step_width + biped.foot.width)
     while done < far:
         done += grain
         px, py = x + done * c, y + done * s
         ground = queries.ground_height(world, px, py)
-        if ground - height > biped.reach.max_rise or height - ground > biped.reach.max_drop:
+        left, right = _rock_top(world, px - aside * s, py + aside * c), _rock_top(world, px + aside * s, py - aside * c)
+        highest = max(ground, left, right)
+        if highest - height > biped.reach.max_rise or height - ground > biped.reach.max_drop:
             return max(done - 2 * grain, 0.0)
         if is_steep(biped, world, px, py):
             return max(done - 2 * grain, 0.0)
         height = ground
     return far
+
+
+@jit_borrowing
+def _rock_top(world: WorldArrays, x: float, y: float) -> float:
+    """Height of a rock's top there [m]; -inf where none is."""
+    rock = queries.rock_under(world, x, y, 0.0)
+    return world.rocks[rock, 3] if rock >= 0 else -inf
 
 
 @jit_borrowing
@@ -191,38 +212,3 @@ def needs_care(biped: Dimensions, world: WorldArrays, x: float, y: float) -> boo
     if queries.clearance(world, x, y) < biped.body.radius:  # something was put there, or one was set down there
         return True
     return not (is_gentle(biped, world) and is_bare(world, x, y, biped.reach.max_step + biped.foot.length))
-
-
-@jit_borrowing
-def surely(round: Round, me: Me, middle: Place, heading: float, course: float, goes: bool) -> Wish:
-    """A step that brings the walker's middle there, or the nearest to it on which the foot may stand; else standing."""
-    biped, foot, side = biped_of(round, me), me.feet.newer, 1 - me.feet.newer.side
-    x, y = beside(biped, side, middle, heading)
-    if not needs_care(biped, round.world, foot.x, foot.y):
-        return stepping(side, (x, y), heading, course, goes)
-    if why_not_step(biped, round.world, foot, x, y, heading) == FINE:
-        return stepping(side, (x, y), heading, course, goes)
-    found, turned = nearest_footing(biped, round.world, foot, middle, heading)
-    if turned == inf:
-        return standing(me, WAIT)
-    return stepping(side, found, turned, course, goes)
-
-
-@jit_borrowing
-def nearest_footing(biped: Dimensions, world: WorldArrays, foot: Foot, middle: Place, heading: float) -> tuple[Place, float]:
-    """Where the other foot may stand instead, nearest to beside a middle: (place, heading); heading inf: nowhere."""
-    (mx, my), side = middle_beside(biped, foot), 1 - foot.side
-    wx, wy = beside(biped, side, middle, heading)
-    length, least, best, turned = hypot(middle[0] - mx, middle[1] - my), inf, (wx, wy), inf
-    length, most = max(length, 0.4 * biped.gait.preferred_step), biped.reach.max_turn
-    for turn in TURNS:
-        yaw = min(max(heading + turn * most, foot.heading - most), foot.heading + most)
-        for share in SHARES:
-            at = (mx + share * length * cos(yaw), my + share * length * sin(yaw))
-            fx, fy = beside(biped, side, at, yaw)
-            for width in WIDTHS:
-                px, py = at[0] + width * (fx - at[0]), at[1] + width * (fy - at[1])
-                cost = hypot(px - wx, py - wy) + 0.3 * biped.gait.preferred_step * abs(yaw - heading)
-                if cost < least and why_not_step(biped, world, foot, px, py, yaw) == FINE:
-                    least, best, turned = cost, (px, py), yaw
-    return best, turned

@@ -9,7 +9,7 @@ import numpy as np
 
 from worlds.compiled.jit import jit_borrowing
 
-DRIFT, SIDE, LOOK, WAIT, PLACE, JAM, PACE, PACE_TOO, BANKS = range(9)
+DRIFT, SIDE, LOOK, WAIT, PLACE, JAM, PACE, PACE_TOO, BANKS, AWAY = range(10)
 """Purposes: two questions of the same step get unrelated numbers."""
 
 

@@ -12,8 +12,8 @@ from typing import NamedTuple
 from motion.arithmetic.smooth import mix
 from motion.characters.dimensions import Dimensions
 from motion.pose import swing
-from motion.track.footprints import LEFT, Feet, Foot
-from planner.stepping.beside import Place, beside, middle_beside, middle_of
+from motion.track.footprints import Feet, Foot
+from planner.stepping.beside import Place, beside, keeps_apart, middle_beside, middle_of
 from planner.stepping.footing import FINE, UNDER, WATER, is_bare, under_sole, why_not_step
 from planner.stepping.placing import EDGE
 from worlds import queries
@@ -30,8 +30,6 @@ ASKEW = 0.3
 """What a radian off the wanted heading costs, in preferred steps."""
 WELL_ON = 0.5
 """A foot that snaps to a rock is set down so much of its sole, or of the rock, inside the rock's edge."""
-BESIDE, ACROSS = 0.55, -0.2
-"""A foot is set down so far to its own side of the other one, in step widths: beside it, and well ahead of it."""
 LONG, LONG_LIFT, LIFT = 1.6, 0.2, 0.35
 """A swing over more than so many longest steps is lifted no higher than this share of the leg, any other than the next."""
 CLIMBS = 1.5
@@ -94,20 +92,10 @@ def _room(world: WorldArrays, x: float, y: float) -> float:
 
 
 @jit_borrowing
-def _keeps_apart(biped: Dimensions, foot: Foot, x: float, y: float) -> bool:
-    """Whether a place for the other foot lies on its own side of this one: feet are not set down upon each other."""
-    c, s = cos(foot.heading), sin(foot.heading)
-    dx, dy = x - foot.x, y - foot.y
-    ahead, aside = dx * c + dy * s, dy * c - dx * s
-    own = -aside if foot.side == LEFT else aside
-    return own >= (ACROSS if abs(ahead) > 1.2 * biped.foot.length else BESIDE) * biped.gait.step_width
-
-
-@jit_borrowing
 def _is_good(biped: Dimensions, world: WorldArrays, feet: Feet, wanted: Wanted, x: float, y: float, yaw: float) -> bool:
     """Whether the foot may be set down there in this step."""
     foot = feet.newer
-    if hypot(x - foot.x, y - foot.y) > wanted.farthest or not _keeps_apart(biped, foot, x, y):
+    if hypot(x - foot.x, y - foot.y) > wanted.farthest or not keeps_apart(biped, foot, x, y):
         return False
     if not may_stand(biped, world, foot, x, y, yaw) or _reckoned(biped, world, foot, x, y, yaw) > wanted.farthest:
         return False

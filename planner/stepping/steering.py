@@ -8,10 +8,10 @@ from math import cos, pi, sin
 from typing import NamedTuple
 
 from motion.characters.dimensions import Dimensions
-from planner.stepping.footing import level_way
+from planner.stepping.footing import STALLED, level_way
 from worlds import queries
 from worlds.arrays import WorldArrays
-from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.jit import jit, jit_borrowing
 
 LOOK_STEPS = 3.0
 """Look-ahead in preferred steps."""
@@ -68,6 +68,15 @@ def clear_course(
     return best
 
 
+@jit
+def longest_way(biped: Dimensions, world: WorldArrays, x: float, y: float, far: float) -> float:
+    """Distance [m] that one can go straight on from there in the freest direction, at most `far`."""
+    longest, margin = 0.0, min(biped.body.radius, queries.clearance(world, x, y) - 0.01)
+    for k in range(2 * FAN):
+        longest = max(longest, free_way(biped, world, x, y, k * pi / FAN, margin, far))
+    return longest
+
+
 @jit_borrowing
 def step_toward(
     biped: Dimensions, world: WorldArrays, middle: tuple[float, float], heading: float, wanted: float, look: float,
@@ -85,8 +94,10 @@ def step_within(
 ) -> Onward:  # fmt: skip
     """The same, with at least `margin` [m] around."""
     x, y = middle
-    course = wanted + clear_course(biped, world, x, y, wanted, margin, look, right_first)
     most, stride = biped.reach.max_turn, biped.gait.preferred_step
+    course = wanted + clear_course(biped, world, x, y, wanted, margin, look, right_first)
+    if look < stride and free_way(biped, world, x, y, course, margin, stride) < STALLED * stride:
+        course = wanted + clear_course(biped, world, x, y, wanted, margin, stride, right_first)
     turn = min(max(course - heading, -most), most)
     free = free_way(biped, world, x, y, heading + turn, margin, stride)
     length = min(stride * max(1 - 0.5 * abs(turn) / most, 0.3), free)

@@ -16,8 +16,8 @@ from numba import prange
 from motion.track.footprints import LEFT, RIGHT, Step, feet_before, step_onto
 from planner.round.round import UNHURRIED, Wish
 from planner.stepping import random
-from planner.stepping.acting import acted
 from planner.stepping.beside import beside
+from planner.stepping.going_on import acted
 from planner.stepping.placing import EDGE, lay_strike
 from planner.stepping.taking import take_step
 from sim.rows.crowd import REAL, TENTATIVE, shift, stand

@@ -20,8 +20,6 @@ SMOOTH = 0.8
 """How far one is felt by those who measure density: standard deviation of a Gaussian [m]."""
 SLOWEST = 0.15
 """Least share of the speed that a crowd leaves: a jam, too, moves on."""
-NEAR = 1
-"""So many cells around a place are looked at for the way from it: it may lie in one that walls close."""
 
 
 class Grid(NamedTuple):
@@ -80,15 +78,3 @@ def weigh(grid: Grid, places: np.ndarray, fields: np.ndarray) -> None:
     for k, area in enumerate(grid.area):
         fields[k] = np.where(area, 0, np.inf)
         sweep(slowness, grid.cell, fields[k])
-
-
-def ways_from(grid: Grid, fields: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """(A, N) how long the ways to all areas are from places (N, 2), in metres at free speed; inf: none leads there."""
-    rows, columns = grid.slowness.shape
-    i, j = (np.clip((places[:, k] / grid.cell).astype(int), 0, (rows, columns)[1 - k] - 1) for k in (1, 0))
-    found = np.full((len(fields), len(places)), np.inf)
-    for down in range(-NEAR, NEAR + 1):
-        for right in range(-NEAR, NEAR + 1):
-            a, b = np.clip(i + down, 0, rows - 1), np.clip(j + right, 0, columns - 1)
-            found = np.minimum(found, fields[:, a, b])
-    return found

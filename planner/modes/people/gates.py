@@ -10,11 +10,12 @@ import numpy as np
 
 from motion.characters.character import Character
 from planner.modes.people.areas import places_in
-from planner.modes.people.crowding import Grid, ways_from
+from planner.modes.people.crowding import Grid
 from planner.modes.people.mix import Mix, Person
 from planner.modes.visiting import Visits
 from planner.planner import Moment, fault_of_place
 from planner.stepping import random
+from planner.stepping.field import ways_from
 from worlds.contents.polygons import inside, nearest
 from worlds.contents.traffic import Traffic, corners
 
@@ -153,7 +154,8 @@ def _choose_exits(
     plans: Visits, gates: Gates, moment: Moment, grid: Grid, rows: np.ndarray, better: float = BETTER
 ) -> None:  # fmt: skip
     """Rows (K,) take another exit where that is better."""
-    ways = ways_from(grid, plans.stops.fields, moment.place[rows])
+    every, fields = np.arange(len(grid.area))[:, None], plans.stops.fields
+    ways = ways_from(fields, grid.cell, every, moment.place[rows])
     for k, c in enumerate(rows.tolist()):
         of = gates.to[int(plans.source[c])]
         best = of[int(np.argmin(ways[of, k]))]

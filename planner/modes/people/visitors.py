@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 
 from motion.characters.character import Character
-from motion.characters.dimensions import Dimensions
 from planner.modes.people import entering, gates, groups
 from planner.modes.people.areas import places_in
 from planner.modes.people.crowding import Grid, grid_of, weigh
@@ -14,6 +13,7 @@ from planner.modes.people.gates import PLACE, Gates
 from planner.modes.people.mix import Mix
 from planner.modes.visiting import PLANNING, Visits, empty_visits
 from planner.planner import Moment, Situation, Turnover, fault_of_place
+from planner.stepping.field import for_all
 from worlds.contents.traffic import Traffic, corners
 from worlds.errors import InputError
 from worlds.level import faults_of
@@ -65,8 +65,7 @@ class Visiting:
     def grid(self, world: World) -> Grid:
         """The cells of a world, for its areas and the widest of those who come."""
         if self._grid is None or self._grid[0] is not world:
-            widest: Dimensions = max((one.biped for one in self.mix.characters), key=lambda biped: float(biped.body.radius))
-            self._grid = (world, grid_of(world, widest, self.gates.polygons))
+            self._grid = (world, grid_of(world, for_all([one.biped for one in self.mix.characters]), self.gates.polygons))
         return self._grid[1]
 
     def prepare(self, situation: Situation) -> Visits:

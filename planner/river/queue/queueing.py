@@ -21,7 +21,7 @@ from planner.round.round import PATIENT, UNHURRIED, Me, Round, Wish, biped_of, s
 from planner.round.soles import sole_of
 from planner.stepping.arriving import STAND_TIME, arrive, walk_on
 from planner.stepping.beside import Place, middle_beside, sole_heading
-from planner.stepping.footing import surely
+from planner.stepping.finding import surely
 from planner.stepping.timing import step_timing
 from worlds.compiled.jit import jit_borrowing
 

@@ -5,7 +5,8 @@ import pytest
 
 from motion.characters.character import load_character
 from planner.modes.people.areas import cells_inside, places_in
-from planner.modes.people.crowding import density, grid_of, share_of_speed, ways_from, weigh
+from planner.modes.people.crowding import density, grid_of, share_of_speed, weigh
+from planner.stepping.field import ways_from
 from worlds.contents.polygons import inside, nearest
 from worlds.contents.traffic import corners
 from worlds.world import Wall, World
@@ -32,6 +33,9 @@ def test_places_by_chance_lie_inside_and_off_the_border():
     assert cells_inside(np.array([(1.01, 1.01), (1.02, 1.01), (1.02, 1.02)]), (20, 20), 0.2).sum() == 1
 
 
+BOTH = np.array([[0], [1]])
+
+
 def two_doors():
     """A room with a near door and a far one, each with an area behind it."""
     walls = (Wall(np.array([(0.0, 6.0), (2.0, 6.0)]), 0.2), Wall(np.array([(3.2, 6.0), (8.8, 6.0)]), 0.2))
@@ -44,7 +48,7 @@ def test_ways_are_as_long_as_they_are_when_nobody_is_there():
     grid = two_doors()
     fields = np.empty((2, *grid.slowness.shape), np.float32)
     weigh(grid, np.zeros((0, 2)), fields)
-    ways = ways_from(grid, fields, np.array([(2.6, 3.0), (9.4, 3.0)]))
+    ways = ways_from(fields, grid.cell, BOTH, np.array([(2.6, 3.0), (9.4, 3.0)]))
     assert ways[0, 0] == pytest.approx(4.0, abs=0.6) and ways[1, 1] == pytest.approx(4.0, abs=0.6)
     assert ways[1, 0] > 7.0 and ways[0, 1] > 7.0
 
@@ -55,9 +59,9 @@ def test_a_jam_before_a_door_makes_the_other_one_nearer():
     here, sides = np.array([(5.0, 3.0)]), (np.linspace(1.8, 3.4, 6), np.linspace(4.2, 5.6, 6))
     jam = np.stack(np.meshgrid(*sides), axis=2).reshape(-1, 2)
     weigh(grid, np.zeros((0, 2)), fields)
-    empty = ways_from(grid, fields, here)[:, 0]
+    empty = ways_from(fields, grid.cell, BOTH, here)[:, 0]
     weigh(grid, jam, fields)
-    full = ways_from(grid, fields, here)[:, 0]
+    full = ways_from(fields, grid.cell, BOTH, here)[:, 0]
     assert empty[0] < empty[1] and full[0] > full[1] and full[0] > 1.5 * empty[0]
 
 
