@@ -103,3 +103,9 @@ def test_quick_commands_of_readme_run_in_their_order(tmp_path):
     for command in quick:
         run(tmp_path, "-m", "sim", *shlex.split(command)[2:])
     assert {"run.npz", "end.png", "state.npz", "run.glb", "sprint.html"} <= {path.name for path in tmp_path.iterdir()}
+
+
+@pytest.mark.parametrize("page", ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"])
+def test_files_and_folders_that_pages_name_are_there(page):
+    named = set(re.findall(r"`((?:sim|planner|motion|worlds|tests|docs)/[\w./]*)`", (ROOT / page).read_text(encoding="utf-8")))
+    assert named and [path for path in sorted(named) if not (ROOT / path).exists()] == []

@@ -85,6 +85,7 @@ class Gait:
     """[gait]: how it goes when nothing hinders."""
 
     step_width: float = metres("between the lines of left and right footprints")
+    run_narrower: float = share("share by which that is less at a run", default=0.0)
     toe_out: float = degrees("how far its feet point outward", low=-45, high=45, default=0.0)
     preferred_step: float = metres("when nothing hinders")
     variation: float = share(

@@ -10,9 +10,10 @@ from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from motion.pose import legs, swing
 from motion.pose.pose import Pose
-from motion.track import foot, heel
+from motion.track import foot
 from motion.track.footprints import Footprints
 from motion.track.leg import landing_reach, leaving_reach
+from motion.track.tilt import tilt_of, tilted
 from worlds.compiled.jit import jit_borrowing, jit_inline
 
 FREE_REACH, FIRM_REACH = 0.93, 0.9985
@@ -162,13 +163,21 @@ def _keep_in_reach(biped: Dimensions, hip: Triple, s: float, kept: tuple[float, 
 
 
 @jit_inline
-def _keep_heel_in_reach(biped: Dimensions, hip: Triple, pose: Pose, c: int, leg: int) -> None:
-    """Raises the heel of a standing foot whose leg would be too long."""
-    raised, ankle = heel.kept_in_reach(
-        _at(pose.ball, c, leg), _at(pose.heel, c, leg), _at(pose.ankle, c, leg), hip, biped.leg.max_length
-    )
-    _set(pose.heel, c, leg, raised)
-    _set(pose.ankle, c, leg, ankle)
+def _tilt(biped: Dimensions, footprints: Footprints, n: int, u: float, hip: Triple, pose: Pose, c: int, leg: int) -> None:
+    """Tilts a standing foot whose leg would be too long: about its heel while it comes down, then about its ball."""
+    pitch, full = foot.strike_pitch(footprints, n, u), biped.leg.max_length
+    if pitch < 0:  # it comes down about its ball
+        return
+    heel, ball, ankle = _at(pose.heel, c, leg), _at(pose.ball, c, leg), _at(pose.ankle, c, leg)
+    tilt = tilt_of(heel, ball, ankle, hip, full) if pitch > 0 else tilt_of(ball, heel, ankle, hip, full)
+    if tilt.by == 0:
+        return
+    _set(pose.ankle, c, leg, tilted(tilt, ankle))
+    if pitch > 0:
+        _set(pose.ball, c, leg, tilted(tilt, ball))
+        _set(pose.toe, c, leg, tilted(tilt, _at(pose.toe, c, leg)))
+    else:
+        _set(pose.heel, c, leg, tilted(tilt, heel))
 
 
 @jit_inline
@@ -214,8 +223,7 @@ def pose_leg(biped: Dimensions, footprints: Footprints, n: int, leg: int, body: 
         u = foot.stance_share(footprints, n, t)
         _set(pose.point_of_support, c, leg, foot.point_of_support(biped, footprints, n, u))
         toes = _stand(biped, footprints, n, t, pose, c, leg)
-        if u >= foot.FLAT_BY:
-            _keep_heel_in_reach(biped, hip, pose, c, leg)
+        _tilt(biped, footprints, n, u, hip, pose, c, leg)
     else:
         pose.point_of_support[c, leg] = np.nan
         toes = _swing(biped, footprints, leg, yaw, t, pose, c)

@@ -47,6 +47,8 @@ SIDEWAYS = 0.3
 """A swing that goes ahead by less than this share of its way passes the other foot on whichever side it is."""
 MOST_ROOM = 0.5
 """Largest bow as a share of the way."""
+HIGH_UP = 0.5
+"""Share of that room which a runner's foot needs."""
 TOES_UP = 0.6
 """Share of the swing from which on the toes rise for a landing on the heel."""
 
@@ -120,10 +122,10 @@ def share_at(gone: float, hold: float, run: float) -> float:
 
 
 @jit_borrowing
-def room_beside(biped: Dimensions) -> float:
+def room_beside(biped: Dimensions, run: float) -> float:
     """How far [m] a swinging foot's middle keeps from that of the other foot when it passes it: both shanks and
-    a sole, as a bent leg leans inward."""
-    return biped.foot.width + 2 * biped.leg.shank_radius
+    a sole, as a bent leg leans inward. A runner's foot passes high, where the other leg is on its way out to its hip."""
+    return (biped.foot.width + 2 * biped.leg.shank_radius) * (1 - run * (1 - HIGH_UP))
 
 
 @jit_borrowing
@@ -160,7 +162,7 @@ def bow(
     side = 1.0 if (which == LEFT) == (ahead > 0) else -1.0
     if abs(ahead) < SIDEWAYS:
         side = 1.0 if to_left > 0 else -1.0
-    lack = max(room_beside(biped) - side * to_left, 0.0)
+    lack = max(room_beside(biped, run) - side * to_left, 0.0)
     ends = min(1.0, 4 * u, 4 * (1 - u))
     amount = side * min(lack * ends, MOST_ROOM * length) / max(bump(share_at(u, hold, run)), 0.3)
     return -amount * dy / length, amount * dx / length

@@ -16,6 +16,7 @@ from planner.crowd.walker import walker_of
 from planner.modes.reins import CREEP, RUN, STAND, WALK, Reins
 from planner.round import reservations
 from planner.round.round import UNHURRIED, Me, Round, Wish, biped_of, standing
+from planner.stepping import timing
 from planner.stepping.beside import middle_beside, middle_of
 from planner.stepping.seeking import Wanted, seek
 from planner.stepping.steering import free_way
@@ -109,8 +110,25 @@ def _wanted(biped: Dimensions, me: Me, reins: Reins) -> Wanted:
         length = max(length, DROP * last)
     heading = foot.heading + turn
     dx, dy = _displaced(biped, foot, length, heading, aside)
+    if max(length, last) > stride:
+        dx, dy = _narrowed(biped, foot, (dx, dy), heading, (last, length))
     farthest = min(max(biped.reach.max_step, 1.15 * length), biped.reach.leap_length)
     return Wanted(dx, dy, heading, cos(aside) > 0.5, farthest, NEAR_ENOUGH * max(hypot(dx, dy), 0.4 * stride))
+
+
+@jit_borrowing
+def _narrowed(
+    biped: Dimensions, foot: Foot, way: tuple[float, float], heading: float, lengths: tuple[float, float]
+) -> tuple[float, float]:  # fmt: skip
+    """The way (dx, dy) [m] of a middle that is reckoned half a walker's width beside each foot, where runners tread narrower.
+
+    lengths: of the step to where `foot` stands, and of the next [m]. Both feet lie farther inward by half of what lacks.
+    """
+    was, own = 0.5 * biped.gait.step_width, 1.0 if foot.side == LEFT else -1.0
+    here = own * (was - 0.5 * timing.width_at(biped, timing.pace_of(biped, lengths[0])))
+    there = own * (was - 0.5 * timing.width_at(biped, timing.pace_of(biped, lengths[1])))
+    dx = way[0] - here * sin(foot.heading) - there * sin(heading)
+    return dx, way[1] + here * cos(foot.heading) + there * cos(heading)
 
 
 @jit_borrowing

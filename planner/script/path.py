@@ -14,9 +14,10 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from motion.characters.character import Character
+from motion.characters.dimensions import Dimensions
 from motion.track.footprints import SIDES
 from planner.script.footprint import Crouch, Footprint, Moment, Pause, Seconds
-from planner.stepping import strides
+from planner.stepping import strides, timing
 from worlds.errors import InputError
 from worlds.ground import Finite, Part, Point
 
@@ -86,20 +87,29 @@ def footprints_along(path: Path, character: Character) -> list[Footprint]:
     line = hermite_path(path.points, path.tangents)
     length = float(np.hypot(*np.diff(line, axis=0).T).sum())
     middles, directions = strides.along(line, np.concatenate([[0.0, 0.0], _distances(path, length), [length]]))
-    width = character.biped.gait.step_width if path.step_width is None else path.step_width
+    ends, last = np.hypot(*np.diff(middles, axis=0).T), len(middles) - 1
     side = 1 - SIDES.index(path.first)  # the foot that steps first is the older of the two stood on
     moved, footprints = {one.step: one for one in path.moved}, []
     for k, (middle, direction) in enumerate(zip(middles, np.unwrap(directions), strict=True)):
         foot = (side + k + 1) % 2
         heading = direction + radians(path.feet_deg)
+        width = _width(path, character.biped, float(ends[k - 1]) if 1 < k < last else 0.0)
         across, ahead = 0.5 * width * (1 - 2 * foot), path.stagger * (foot - 0.5)
         place = (
             float(middle[0] - across * np.sin(heading) + ahead * np.cos(direction)),
             float(middle[1] + across * np.cos(heading) + ahead * np.sin(direction)),
         )
-        footprint = _footprint(path, foot, place, heading, k > 1, last=k == len(middles) - 1)
+        footprint = _footprint(path, foot, place, heading, k > 1, last=k == last)
         footprints.append(_as_moved(footprint, moved[k], float(direction)) if k in moved else footprint)
     return footprints
+
+
+def _width(path: Path, biped: Dimensions, length: float) -> float:
+    """How far [m] a footprint lies across the path from the next one, after a step of that length [m]; 0: it is stood on."""
+    if path.step_width is not None:
+        return path.step_width
+    speed = timing.pace_of(biped, length) if path.step_time is None else length / path.step_time
+    return timing.width_at(biped, speed)
 
 
 def _distances(path: Path, length: float) -> np.ndarray:

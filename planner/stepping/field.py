@@ -11,7 +11,7 @@ from math import atan2, inf, sqrt
 import numpy as np
 
 from motion.characters.dimensions import Dimensions
-from planner.stepping.footing import beside_rocks, is_steep
+from planner.stepping.footing import beside_rocks, is_footing, is_steep
 from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit, jit_borrowing
@@ -23,6 +23,8 @@ MOST_CELLS = 1_000_000
 """Of a field; in larger worlds cells are larger."""
 MOST_IN_ALL = 40_000_000
 """Cells of all fields of a run: to goals beyond, ways are straight."""
+CLUMSY = 0.2
+"""F where no sole fits, as on a rock that lies half in a slope: one may step over it."""
 TOGETHER = 2.0
 """Goals that lie in the same square of this edge [m] share a field."""
 SLIM = 0.1
@@ -44,7 +46,8 @@ def lay_out(biped: Dimensions, world: WorldArrays, cell: float, slowness: np.nda
             x, y = (j + 0.5) * cell, (i + 0.5) * cell
             room = min(queries.clearance(world, x, y) - biped.body.radius + SLIM, beside_rocks(biped, world, x, y, CALM))
             blocked = room < 0 or is_steep(biped, world, x, y)
-            slowness[i, j] = inf if blocked else 1 / min(max(room / CALM, SLOW), 1.0)
+            share = min(max(room / CALM, SLOW), 1.0) if is_footing(biped, world, x, y) else CLUMSY
+            slowness[i, j] = inf if blocked else 1 / share
 
 
 @jit

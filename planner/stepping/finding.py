@@ -21,7 +21,7 @@ WIDTHS = (1.0, 1.4, 0.8, 1.9)
 WAIT = 0.3
 """Who finds no place for a foot looks again after this time [s]."""
 UNTURNED = 0.1
-"""A step that is STALLED gets nobody on that turns it by less [rad]."""
+"""A step that is STALLED gets nobody on that turns it to where it would by less [rad]."""
 AWAY = 24
 """Places by chance that are looked at where no step gets on."""
 
@@ -36,14 +36,12 @@ def surely(round: Round, me: Me, middle: Place, heading: float, course: float, g
     x, y = beside(biped, side, middle, heading)
     if not needs_care(biped, round.world, foot.x, foot.y):
         return stepping(side, (x, y), heading, course, goes)
-    if why_not_step(biped, round.world, foot, x, y, heading) == FINE:
+    on = _gets_on(biped, foot, middle, heading, heading)
+    if (on or not goes) and why_not_step(biped, round.world, foot, x, y, heading) == FINE:
         return stepping(side, (x, y), heading, course, goes)
     found, turned = nearest_footing(biped, round.world, foot, middle, heading)
-    if (
-        turned == inf
-        or _gets_on(biped, foot, middle, heading)
-        and not _gets_on(biped, foot, middle_of(biped, side, found, turned), turned)
-    ):
+    there = middle_of(biped, side, found, turned)
+    if turned == inf or (on or goes) and not _gets_on(biped, foot, there, turned, heading):
         found, turned = _away(round, me)
     if turned == inf:
         return standing(me, WAIT)
@@ -71,10 +69,12 @@ def nearest_footing(biped: Dimensions, world: WorldArrays, foot: Foot, middle: P
 
 
 @jit_borrowing
-def _gets_on(biped: Dimensions, foot: Foot, middle: Place, heading: float) -> bool:
-    """Whether a step to there moves or turns the walker who stands on a foot."""
+def _gets_on(biped: Dimensions, foot: Foot, middle: Place, turned: float, wished: float) -> bool:
+    """Whether a step to there moves the walker who stands on a foot, or turns it to the wished heading."""
     x, y = middle_beside(biped, foot)
-    return hypot(middle[0] - x, middle[1] - y) > STALLED * biped.gait.preferred_step or abs(heading - foot.heading) > UNTURNED
+    if hypot(middle[0] - x, middle[1] - y) > STALLED * biped.gait.preferred_step:
+        return True
+    return abs(turned - wished) + UNTURNED < abs(foot.heading - wished)
 
 
 @jit_borrowing

@@ -5,7 +5,7 @@ the slope rises by no more than the highest step. It comes there from another fo
 a leap, no higher than max_rise, no deeper than max_drop, over nothing that is higher than both by more than max_rise.
 """
 
-from math import cos, hypot, inf, sin
+from math import cos, hypot, inf, pi, sin
 
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import Foot
@@ -157,6 +157,17 @@ def beside_rocks(biped: Dimensions, world: WorldArrays, x: float, y: float, far:
             if rock[3] > top:
                 nearest = min(nearest, hypot(x - rock[0], y - rock[1]) - rock[2])
     return nearest
+
+
+@jit_borrowing
+def is_footing(biped: Dimensions, world: WorldArrays, x: float, y: float) -> bool:
+    """Whether a sole may stand there with one heading or another, where a rock makes that doubtful."""
+    if queries.rock_under(world, x, y, 0.0) < 0:
+        return True
+    fine = 0
+    for k in range(4):
+        fine += why_not_stand(biped, world, x, y, 0.25 * pi * k) == FINE
+    return fine > 0
 
 
 @jit_borrowing

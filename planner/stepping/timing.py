@@ -12,12 +12,15 @@ A step longer than the character's leap_length is a leap: its flight is ballisti
 from math import exp, inf, sqrt, tan
 
 from motion.arithmetic.gravity import GRAVITY, froude_number, pendulum_time
+from motion.arithmetic.smooth import smoothstep
 from motion.characters.dimensions import Dimensions
 from planner.round.round import UNHURRIED
 from worlds.compiled.jit import jit_borrowing
 
 RUNS_FROM = 0.5
 """Froude number at which walking gives way to running."""
+NARROWS = 0.2
+"""Range of Froude numbers about that one in which the line of a runner's footprints becomes narrow."""
 RUNNING_DUTY = 0.344
 RUN_POWER = 1.265
 """Speed of a run grows with this power of the step."""
@@ -90,6 +93,13 @@ def _running(froude: float, smoothness: float) -> float:
     """0 walking, 1 running; smoothness 0 changes abruptly, 1 over a wide range."""
     width = 0.02 + 0.25 * smoothness
     return 1 / (1 + exp(-min(max((froude - RUNS_FROM) / width * 4, -50.0), 50.0)))
+
+
+@jit_borrowing
+def width_at(biped: Dimensions, speed: float) -> float:
+    """Distance [m] between the lines of left and right footprints at that speed [m/s]: runners tread nearly in one line."""
+    froude = speed * speed / (GRAVITY * biped.timing.hip_height)
+    return biped.gait.step_width * (1 - biped.gait.run_narrower * smoothstep((froude - RUNS_FROM) / NARROWS + 0.5))
 
 
 @jit_borrowing

@@ -11,6 +11,7 @@ from motion.characters.character import load_character
 from motion.track.footprints import LEFT, RIGHT, SIDES
 from planner.script.footprint import Footprint
 from planner.script.scene import Scene, one_track
+from planner.stepping import timing
 from sim.files.recording import Recorder
 from sim.reports.cycles import ANGLES, Cycle, at, compared, cycle
 from sim.reports.measure import measure
@@ -31,11 +32,12 @@ SPEED_UP = {WALK: (0.4, 0.6), RUN: (0.5, 0.8, 0.95), 0.93: (0.5, 0.8), 1.23: (0.
 def straight(step: float, character: str = "human") -> Scene:
     """A character that walks straight on, from standing to steady steps of this length [m] and back to standing."""
     lengths = [*SPEED_UP[step], *[step] * STEADY, *SPEED_UP[step][::-1]]
-    width = float(load_character(character).biped.gait.step_width)
+    biped = load_character(character).biped
+    width = float(biped.gait.step_width)
     x, footprints = 1.0, [_footprint(RIGHT, 1.0, width), _footprint(LEFT, 1.0, width)]
     for k, length in enumerate([*lengths, 0.0]):
         x += length
-        footprints.append(_footprint((k + 1) % 2, x, width))
+        footprints.append(_footprint((k + 1) % 2, x, timing.width_at(biped, timing.pace_of(biped, length))))
     world = World("flat", (x + 2, 4.0), start=(1.0, 2.0))
     return one_track(f"steps of {step} m", world, footprint=tuple(footprints), character=character)
 
