@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from planner.planner import NoWay, Situation
-from planner.stepping.field import ways_from
+from planner.stepping.field import BARS, ways_from
 from worlds import queries
 from worlds.compiled.jit import jit_borrowing
 from worlds.errors import InputError
@@ -89,8 +89,7 @@ def check_ways(plans: Stops, situation: Situation) -> None:
         ways = ways_from(plans.fields, plans.cell[0], field[known], places[known]) if len(known) else np.zeros(0)
         for c in known[np.isinf(ways)].tolist():
             (x, y), (u, v), name = places[c].tolist(), plans.stops[c, to[c]].tolist(), situation.characters[c].name
-            why = "water, walls, trees, slopes or rocks bar it"
             raise NoWay(
-                f"stops.{c}.{to[c]} at ({u:g}, {v:g}): no way for the {name} leads there from ({x:.2f}, {y:.2f}): {why}"
+                f"stops.{c}.{to[c]} at ({u:g}, {v:g}): no way for the {name} leads there from ({x:.2f}, {y:.2f}): {BARS}"
             )
         places = plans.stops[rows, to]

@@ -13,13 +13,13 @@ import numpy as np
 from motion.arithmetic.smooth import mix, smoothstep
 from motion.characters.character import Character
 from motion.characters.dimensions import Dimensions
-from planner.planner import Situation, fault_of_place
+from planner.planner import NoWay, Situation, fault_of_place
 from planner.round.kernel import Compiled
 from planner.round.round import Me, Round, Wish, biped_of
 from planner.stepping import random
 from planner.stepping.arriving import sees, walk_down, walk_on
 from planner.stepping.beside import Place, middle_beside
-from planner.stepping.field import fields_to, for_all
+from planner.stepping.field import BARS, fields_to, for_all, ways_from
 from planner.stepping.finding import surely
 from planner.stepping.steering import LOOK_STEPS, MARGIN, Onward, lengthened, longest_way, step_toward
 from worlds.arrays import WorldArrays
@@ -130,7 +130,10 @@ class Wander:
         return np.array(places, np.float64)
 
     def prepare(self, situation: Situation) -> Errands:
-        """Nowhere to go at first, whatever goal the level has; to another goal, once that is set."""
+        """Nowhere to go at first, whatever goal the level has; to another goal, once that is set: those to whom a way leads.
+
+        Raises NoWay where it leads to nobody.
+        """
         world, errands, before = situation.world, _no_errands(len(situation.characters)), situation.before
         errands.goal[:] = world.goal or world.start
         if before is None:
@@ -139,12 +142,21 @@ class Wander:
         if same and not before.steps.any():
             return errands
         fields, cell, _ = fields_to(world, for_all([one.biped for one in situation.characters]), errands.goal[:1])
-        errands = errands._replace(fields=fields, cell=np.array([cell]))
+        errands, middles = (
+            errands._replace(fields=fields, cell=np.array([cell])),
+            situation.feet.position[:, :, :2].mean(axis=1),
+        )
+        led = np.ones(len(middles), np.bool_)
+        if len(fields):
+            led = np.isfinite(ways_from(fields, cell, np.zeros(len(middles), np.int64), middles))
         if same:
-            return errands._replace(steps=before.steps.copy())
-        far = np.hypot(*(errands.goal - situation.feet.position[:, :, :2].mean(axis=1)).T)
+            return errands._replace(steps=np.where(led, before.steps, 0))
+        if not led.any():
+            (x, y), names = errands.goal[0].tolist(), " or ".join(sorted({one.name for one in situation.characters}))
+            raise NoWay(f"{world.name}: no way for the {names} leads to a goal at ({x:.2f}, {y:.2f}): {BARS}")
+        far = np.hypot(*(errands.goal - middles).T)
         strides = np.array([float(one.biped.gait.preferred_step) for one in situation.characters])
-        return errands._replace(steps=(DETOURS * far / strides).astype(np.int64) + SPARE)
+        return errands._replace(steps=np.where(led, (DETOURS * far / strides).astype(np.int64) + SPARE, 0))
 
     def check_plans(self, plans: Errands, characters: int) -> None:
         """Whether plans from a file are errands. Raises ValueError."""

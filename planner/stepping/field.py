@@ -31,6 +31,8 @@ SLIM = 0.1
 """Cells are open whose middle has so much [m] less around it than the body needs: their corners may have more."""
 SLOW, CALM = 0.5, 0.12
 """Least F, beside a wall, and how far from there [m] it is 1."""
+BARS = "water, walls, trees, slopes or rocks bar it"
+"""What may be in the way where none leads."""
 NEAR = 1
 """So many cells around a place are looked at for the way from it: it may lie in one that is closed."""
 AROUND = 1.6

@@ -16,13 +16,13 @@ from planner.planner import NoWay, checked_starts
 from planner.planners import PLANNERS
 from planner.river.rock_hop import RockHop
 from planner.round.round import Wish, standing
-from sim.stage.commands import Give, SetGoal, apply
+from sim.stage.commands import Give, apply
 from sim.stage.simulation import Simulation
 from tests.examples.planner_in_python import in_a_circle
 from worlds.contents.traffic import Exit, Source, Traffic
 from worlds.errors import InputError
 from worlds.level import load_level
-from worlds.world import River, Wall, World
+from worlds.world import World
 
 YARD = World("yard", (20.0, 20.0), start=(10.0, 10.0))
 NAN = float("nan")
@@ -236,20 +236,3 @@ def test_a_wish_may_hop():
     sim = run(Custom(hops, [(3.0, 10.0, 0.0)]), [HUMAN], 300)
     assert len(set(sim.feet().side[0].tolist())) == 1
     assert sim.feet().side[0, 0] in (LEFT, RIGHT)
-
-
-@pytest.mark.parametrize("between", ["wall", "river"])
-def test_a_wanderer_finds_the_way_to_a_goal_behind_something(between):
-    """Straight on there is none: it leads around the far end, as the crow does not fly."""
-    line = np.array([[10.0, -2.0], [10.0, 8.0]])
-    things = {"walls": (Wall(line, 0.2),)} if between == "wall" else {"rivers": (River(line, 1.5),)}
-    world = World("behind", (20.0, 13.0), start=(5.0, 3.0), **things)
-    sim = Simulation(world, [BIRD], Wander(), 2)
-    apply(sim, SetGoal(15.0, 3.0))
-    far, past = np.inf, 0.0
-    for _ in range(60 * 60):
-        sim.tick()
-        x, y, _ = sim.com()[0]
-        past = max(past, y) if x < 12 else past
-        far = min(far, float(np.hypot(x - 15, y - 3)))
-    assert far < 1.0 and past > 8.0
