@@ -1,9 +1,11 @@
 """The one rule for the side: each keeps those who come against it on its left.
 
-So streams part into lanes. Where anyone comes, one makes for the right half of the narrowest place ahead, before it is full.
+So streams part into lanes. Where anyone comes, one makes for the right half of the narrowest place ahead, before it is full;
+where none is narrow, one turns to the right, the more the more come: people evade to one side (Moussaid et al. 2009), and long
+before they meet (Xu, Chraibi & Seyfried 2021). Where all come against each other in one place that makes a roundabout.
 """
 
-from math import atan2, ceil, cos, pi, sin
+from math import atan2, ceil, cos, inf, pi, sin
 from typing import Any, NamedTuple
 
 from motion.characters.dimensions import Dimensions
@@ -22,6 +24,8 @@ WIDE, MOST = 2.0, 2.5
 """How far to the right those who come against one count, in widths of two bodies, and how many at most."""
 SIGHT, SPREAD = 14.0, 0.6
 """How many preferred steps ahead one sees that somebody comes, and how far to the side, in how far ahead."""
+MANY = 6.0
+"""So many who come turn one all the way to the right that the table of weights tells (around)."""
 QUARTER, EARLY = 0.2, 3
 """How far off the middle of a narrow place one passes it, in its width, and how many steps before it one is there."""
 NARROW, AHEAD, SLANTS = 5.0, 14, 2
@@ -34,13 +38,14 @@ class Passage(NamedTuple):
 
     course: float  # to its right half [rad]
     left: float  # how far left of that half one is, in widths of a body; less further off
-    far: float  # how far ahead that place is [m]
+    far: float  # how far ahead that place is [m]; inf: none is narrow
 
 
 @jit_borrowing
-def _someone_comes(held: Reservations, c: int, course: float, aim: Place, beyond: float, sight: float) -> bool:
-    """Whether anyone between `beyond` and `sight` [m] ahead on a course [rad] comes against the aim of character c."""
-    ux, uy = cos(course), sin(course)
+def _coming(held: Reservations, c: int, course: float, aim: Place, beyond: float, sight: float) -> float:
+    """How many between `beyond` and `sight` [m] ahead on a course [rad] come against the aim of character c; those further away
+    count less, down to 0 at `sight`."""
+    ux, uy, total = cos(course), sin(course), 0.0
     rows, cells = (len(held.start) - 1) // held.columns, int(ceil(sight / held.edge))
     x, y, wide = held.path[c, COMMITTED - 1, 0], held.path[c, COMMITTED - 1, 1], WIDE * 2 * held.half[c, 1]
     row, column = held.cell[c] // held.columns, held.cell[c] % held.columns
@@ -52,23 +57,25 @@ def _someone_comes(held: Reservations, c: int, course: float, aim: Place, beyond
                 dx, dy = held.path[j, COMMITTED - 1, 0] - x, held.path[j, COMMITTED - 1, 1] - y
                 ahead, left = dx * ux + dy * uy, ux * dy - uy * dx
                 if beyond < ahead < sight and abs(left) < wide + SPREAD * ahead:
-                    return True
-    return False
+                    total += 1 - ahead / sight
+    return total
 
 
 @jit_borrowing
 def keep_right(round: Round, c: int, middle: Place, course: float) -> Passage:
-    """How character c, whose middle is there, keeps to the right half of the narrowest place ahead on its course [rad].
-
-    It needs not to where nobody comes against it.
+    """How character c, whose middle is there, keeps to the right half of the narrowest place ahead on its course [rad]; where
+    none is narrow, to the right of those who come. It needs not to where nobody comes against it.
     """
     held, biped, (x, y) = round.reservations, round.bipeds[round.kind[c]], middle
     sight, aim = SIGHT * biped.gait.preferred_step, (round.intents.aim[c, 0], round.intents.aim[c, 1])
-    if not _someone_comes(held, c, course, aim, 0.0, sight):
+    coming = _coming(held, c, course, aim, 0.0, sight)
+    if coming == 0:
         return Passage(course, 0.0, 0.0)
     margin = min(biped.body.radius, queries.clearance(round.world, x, y)) - 0.01
     passage = _to_the_right(biped, round.world, middle, course, margin, held.half[c, 1])
-    if passage.far > 0 and not _someone_comes(held, c, course, aim, passage.far, sight):
+    if passage.far == inf:
+        return Passage(course - round.weights[round.kind[c]].around * min(coming / MANY, 1.0), 0.0, inf)
+    if passage.far > 0 and _coming(held, c, course, aim, passage.far, sight) == 0:
         return Passage(course, 0.0, 0.0)
     return passage
 
@@ -81,10 +88,11 @@ def _to_the_right(
 
     How wide a place is, is measured through points of the course, also aslant: it may lead through a gap at an angle.
     """
-    least, turn, left, place, stride = 4 * NARROW * half, 0.0, 0.0, 0, biped.gait.preferred_step
+    least, turn, left, far, stride = 4 * NARROW * half, 0.0, 0.0, inf, biped.gait.preferred_step
     for i in range(AHEAD):
         px, py = middle[0] + i * stride * cos(course), middle[1] + i * stride * sin(course)
         if queries.clearance(world, px, py) < margin:
+            far = min(far, i * stride)  # a way that ends is not open
             break
         for k in range(-SLANTS, SLANTS + 1):
             across = pi / 6 * k - 0.5 * pi
@@ -93,9 +101,9 @@ def _to_the_right(
             if right + free_left < least:
                 least, aside = right + free_left, 0.5 * (right - free_left) + max(half, QUARTER * (right + free_left))
                 turn = atan2(max(aside, 0.0) * sin(across), max(i - EARLY, 1) * stride + max(aside, 0.0) * cos(across))
-                place = i
+                far = i * stride
                 left = (0.5 * (right - free_left) + half) / (2 * half) * (1 - i / AHEAD)
-    return Passage(course + turn, min(max(left, 0.0), MOST), place * stride)
+    return Passage(course + turn, min(max(left, 0.0), MOST), far)
 
 
 @jit_borrowing

@@ -30,6 +30,9 @@ class Weights(NamedTuple):
     """By which having others near fades, in strides: more of it feels further."""
     side: float = 1.5
     """Of leaving those who come against one on the right: streams part into lanes, each to its own right."""
+    around: float = 0.8
+    """Radians by which one goes to the right of a throng that comes in the open: more of it makes wider roundabouts; a quarter
+    turn leads nowhere."""
     rank: float = 2.5
     """Of resting where one who has waited longer would go: more of it makes way, and backs off, sooner."""
     stand: float = 0.05

@@ -31,10 +31,22 @@ def swap(weights: Weights) -> Flow:
     return flows.watched(places.circle(EACH, APART, weights), 60.0)
 
 
+def across(flow: Flow) -> np.ndarray:
+    """(F, C) who of a circle has come to within 1.5 m of its place."""
+    there = np.hypot(*np.moveaxis(flow.place - (flow.world.size[0] - flow.place[0]), 2, 0)) < 1.5
+    return np.logical_or.accumulate(there, axis=0)
+
+
 def last_across(flow: Flow) -> float:
-    """When the last of a circle has come to within 1.5 m of its place [s]; inf: not all have."""
-    far = np.hypot(*np.moveaxis(flow.place - (flow.world.size[0] - flow.place[0]), 2, 0)) < 1.5
-    return float(flow.time[far.argmax(axis=0)].max()) if far.any(axis=0).all() else float("inf")
+    """When the last of a circle has come to its place [s]; inf: not all have."""
+    there = across(flow)
+    return float(flow.time[there.argmax(axis=0)].max()) if there[-1].all() else float("inf")
+
+
+def still_before(flow: Flow) -> float:
+    """The longest standstill of a circle before one has come to its place [s]; inf: not all have."""
+    there = across(flow)
+    return figures.longest_run(figures.stands(flow) & ~there[1:]) / flows.PER_SECOND if there[-1].all() else float("inf")
 
 
 @lru_cache(1)
@@ -77,8 +89,7 @@ def cases() -> list[Case]:
              lambda all: flows.specific_flow(all[0], 3.0)),
         Case("bottleneck 1.2 m wide: longest that bodies overlap by 5 %", "s", 0.0, 0.5, [neck],
              lambda all: figures.longest_overlap(all[0])),
-        Case(f"{EACH} on a circle change places: longest standstill", "s", 0.0, 6.0, [swap],
-             lambda all: figures.still_longest(all[0]) if np.isfinite(last_across(all[0])) else np.inf),
+        Case(f"{EACH} on a circle change places: longest standstill", "s", 0.0, 6.0, [swap], lambda all: still_before(all[0])),
         *(Case(f"counterflow, 30 {who} a side: longest standstill", "s", 0.0, 15.0, [partial(_against, 30, names)],
                lambda all: _stands(all[0])) for who, names in KINDS.items()),
         Case(f"counterflow, 60 a side, {SEEDS} seeds: longest standstill", "s", 0.0, 15.0,

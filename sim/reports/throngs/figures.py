@@ -13,13 +13,18 @@ DEEP = 0.05
 """Bodies that overlap by less, in depths of the one, only graze."""
 
 
+def stands(flow: Flow) -> np.ndarray:
+    """(F - 1, C) who stands from one look to the next."""
+    return np.hypot(*np.moveaxis(np.diff(flow.place, axis=0), 2, 0)) * PER_SECOND < STILL
+
+
 def still_longest(flow: Flow, until: float | None = None) -> float:
     """The longest time that anyone stands [s]: until it is beyond x = `until` [m], from the side where it began."""
-    stands = np.hypot(*np.moveaxis(np.diff(flow.place, axis=0), 2, 0)) * PER_SECOND < STILL
+    still = stands(flow)
     if until is not None:
         x = flow.place[..., 0] - until
-        stands &= (x * x[0] > 0)[1:]
-    return longest_run(stands) / PER_SECOND
+        still &= (x * x[0] > 0)[1:]
+    return longest_run(still) / PER_SECOND
 
 
 def longest_run(true: np.ndarray) -> int:

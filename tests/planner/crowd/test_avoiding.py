@@ -13,6 +13,8 @@ from planner.round.reservations import Intents, empty_reservations, sort_into_ce
 from planner.round.round import Me, Round
 from planner.round.weights import PEOPLE, table_of_weights
 from sim.reports import flows
+from sim.reports.throngs import cases as throngs
+from sim.reports.throngs import places
 from sim.stage.cast import table_of
 from sim.stage.simulation import Simulation
 from tests.planner.crowd.test_terms import waiting
@@ -149,6 +151,34 @@ def test_a_narrow_place_is_passed_on_the_right_where_anyone_comes():
     assert lane(6.4).course < lane(6.0).course < -0.1 and lane(5.5).course == 0 and lane(6.0, comes=False).course == 0
     assert lane(6.4).left > lane(6.0).left > 0 == lane(5.5).left, "it does not wait where they come out"
     assert lane(6.0, at=4.5).course == 0, "who is on this side of the gap does not come through it"
+
+
+def in_the_open(count, comes=True, trees=(), weights=PEOPLE):
+    """The course of a bird at 4, 6, wished toward +x, where so many come against it, a metre or two ahead of it."""
+    held = nothing_held(count + 1)
+    held.path[1:, :, 0], held.path[1:, :, 1] = 5.0 + np.arange(count)[:, None] * 0.1, 6.0
+    held.aim[1:] = -1.0 if comes else 1.0, 0.0
+    held.path[0, :, :2] = 4.0, 6.0
+    sort_into_cells(held)
+    world = World("open", (12.0, 12.0), trees=np.array(trees).reshape(-1, 3))
+    round = around(held, world)._replace(weights=table_of_weights(weights, 1))
+    round.intents.aim[0] = 1.0, 0.0
+    return keep_right(round, 0, (4.0, 6.0), 0.0).course
+
+
+def test_in_the_open_one_turns_to_the_right_of_a_throng_the_more_the_more_come():
+    assert in_the_open(20) == pytest.approx(-PEOPLE.around) and -0.2 < in_the_open(1) < 0 and in_the_open(4) < in_the_open(2)
+    assert in_the_open(20, comes=False) == 0 == in_the_open(20, weights=PEOPLE._replace(around=0.0))
+    assert in_the_open(20, trees=[(5.5, 6.0, 0.3)]) == 0, "a way that ends is not open"
+
+
+def test_those_who_change_places_on_a_circle_make_a_roundabout():
+    """Forty: all arrive soon without standing, and go around the middle the same way, each with it on its left."""
+    flow = flows.watched(places.circle(40, 0.9, PEOPLE), 22.0)
+    assert throngs.still_before(flow) < 2 and throngs.last_across(flow) < 20
+    off = flow.place - flow.world.size[0] / 2
+    turned = np.unwrap(np.arctan2(off[..., 1], off[..., 0]), axis=0)
+    assert (turned[-1] - turned[0] > 0).mean() > 0.9
 
 
 def test_a_gap_is_seen_from_a_course_that_leads_through_it_at_an_angle():

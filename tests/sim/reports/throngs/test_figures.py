@@ -6,7 +6,7 @@ import pytest
 import main
 from planner.round.weights import PEOPLE
 from sim.reports.flows import PER_SECOND, Flow
-from sim.reports.throngs import figures, places
+from sim.reports.throngs import cases, figures, places
 from worlds.world import World
 
 WORLD = World("w", (40.0, 7.0))
@@ -27,6 +27,17 @@ def test_the_longest_standstill_is_known():
     flow.place[..., 0] -= 5.0  # the first is beyond 26 m before it stands, the second is not
     assert figures.still_longest(flow, 26.0) == pytest.approx(3.0)
     assert figures.still_longest(flow, 18.0) == pytest.approx(0.0)
+
+
+def test_who_has_come_to_its_place_on_a_circle_may_stand_there():
+    """Two change places, 20 m apart; one waits for 3 s on its way, both stand where they arrive."""
+    time = np.arange(0, 30, 1 / PER_SECOND)
+    way = np.minimum(np.stack([time, np.where(time < 5, time, np.maximum(time - 3, 5))], axis=1), 20.0)
+    x = 20.0 + np.array([-1, 1]) * (10.0 - way)
+    flow = Flow(time, np.stack([x, np.full_like(x, 20.0)], axis=2), World("w", (40.0, 40.0)))
+    assert cases.still_before(flow) == pytest.approx(3.0) and cases.last_across(flow) == pytest.approx(21.6, abs=0.11)
+    short = flow._replace(time=time[:200], place=flow.place[:200])
+    assert cases.still_before(short) == np.inf == cases.last_across(short)
 
 
 @pytest.mark.parametrize(
