@@ -74,7 +74,9 @@ def keep_right(round: Round, c: int, middle: Place, course: float) -> Passage:
     margin = min(biped.body.radius, queries.clearance(round.world, x, y)) - 0.01
     passage = _to_the_right(biped, round.world, middle, course, margin, held.half[c, 1])
     if passage.far == inf:
-        return Passage(course - round.weights[round.kind[c]].around * min(coming / MANY, 1.0), 0.0, inf)
+        right, far = course - round.weights[round.kind[c]].around * min(coming / MANY, 1.0), EARLY * biped.gait.preferred_step
+        is_free = free_way(biped, round.world, x, y, right, margin, far) >= far
+        return Passage(right if is_free else course, 0.0, inf)
     if passage.far > 0 and _coming(held, c, course, aim, passage.far, sight) == 0:
         return Passage(course, 0.0, 0.0)
     return passage

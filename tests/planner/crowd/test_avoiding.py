@@ -170,6 +170,7 @@ def test_in_the_open_one_turns_to_the_right_of_a_throng_the_more_the_more_come()
     assert in_the_open(20) == pytest.approx(-PEOPLE.around) and -0.2 < in_the_open(1) < 0 and in_the_open(4) < in_the_open(2)
     assert in_the_open(20, comes=False) == 0 == in_the_open(20, weights=PEOPLE._replace(around=0.0))
     assert in_the_open(20, trees=[(5.5, 6.0, 0.3)]) == 0, "a way that ends is not open"
+    assert in_the_open(20, trees=[(4.7, 5.3, 0.1)]) == 0, "nor is there room to turn where something stands on the right"
 
 
 def test_those_who_change_places_on_a_circle_make_a_roundabout():
