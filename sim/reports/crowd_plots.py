@@ -1,4 +1,4 @@
-"""Pictures of crowds beside people, by matplotlib (the extra `plots`): speeds, flows, where it is dense, lanes."""
+"""Pictures of crowds beside people, by matplotlib (the extra `plots`): speeds, flows, where it is dense, lanes, a circle."""
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -24,6 +24,8 @@ PEOPLE = (1.6, 2.1)
 OURS, THEIRS, OTHER = "#b5432f", "0.6", "#3b6fa0"
 DENSE = 2.0
 """The bottleneck of this width [m] is shown from above."""
+DIM = 0.8
+"""Of full colours, so that yellow is seen on white."""
 NOBODY = 0.02
 """Less than so many per square metre are left white."""
 CELL, SMOOTH = 0.1, 0.4
@@ -109,6 +111,23 @@ def plot_lanes(flow: Flow, path: str | Path) -> None:
         write(figure, path)
 
 
+def plot_circle(flow: Flow, path: str | Path) -> None:
+    """Ways of those who change places on a circle, from above, coloured by where they began, and where all are when they are
+    nearest to its middle."""
+    with matplotlib.rc_context(STYLE):
+        figure, plane = _one(4.8, 4.8)
+        middle = 0.5 * np.array(flow.world.size)
+        off = flow.place[0] - middle
+        colours = DIM * matplotlib.colormaps["hsv"]((np.arctan2(off[:, 1], off[:, 0]) / (2 * np.pi)) % 1)[:, :3]
+        plane.add_collection(LineCollection(list(flow.place.transpose(1, 0, 2)), colors=colours, linewidths=0.6, alpha=0.7))
+        nearest = np.hypot(*(flow.place - middle).transpose(2, 0, 1)).mean(axis=1).argmin()
+        plane.scatter(
+            flow.place[nearest, :, 0], flow.place[nearest, :, 1], s=16, c=colours, edgecolors=INK, linewidths=0.4, zorder=3
+        )
+        _ground(plane, flow.world, flow.place.reshape(-1, 2))
+        write(figure, path)
+
+
 def _one(width: float, height: float) -> tuple[Figure, Axes]:
     figure = Figure(figsize=(width, height), layout="constrained")
     return figure, figure.subplots()
@@ -136,8 +155,8 @@ class Album:
         """Keeps what is to be drawn of a case."""
         if case.shows in self._spots:
             self._spots[case.shows].append(Spot(case.at, row.value))
-        if case.shows == "lanes" and "lanes" not in self._flows:
-            self._flows["lanes"] = found[0]
+        if case.shows in ("lanes", "circle") and case.shows not in self._flows:
+            self._flows[case.shows] = found[0]
         if case.shows == "flows" and case.at == DENSE:
             self._flows["density"] = found[0]
 
@@ -148,6 +167,7 @@ class Album:
             ("flows", plot_flows, self._spots["flows"]),
             ("lanes", plot_lanes, self._flows.get("lanes")),
             ("density", plot_density, self._flows.get("density")),
+            ("circle", plot_circle, self._flows.get("circle")),
         ]
         done = []
         for name, plot, of in jobs:

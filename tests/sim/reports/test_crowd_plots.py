@@ -34,6 +34,10 @@ def test_an_album_draws_what_it_was_shown(tmp_path):
     assert sorted(path.name for path in album.draw()) == [
         f"crowd_{name}.png" for name in ("density", "flows", "lanes", "speeds")
     ]
+    angle = np.linspace(0, np.pi, 40)
+    round = np.stack([6 + s * 2 * np.stack([np.cos(angle), np.sin(angle)], axis=1) for s in (1, -1)], axis=1)
+    album.take(some("circle"), [Flow(time, round, World("w", (12.0, 12.0)))], Row("r", "s", 1.0, 0, 6))
+    assert tmp_path / "crowd_circle.png" in album.draw()
     for path in tmp_path.iterdir():
         with Image.open(path) as image:
             assert np.asarray(image.convert("L")).std() > 5, "something is drawn"
