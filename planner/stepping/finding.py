@@ -7,7 +7,7 @@ from motion.track.footprints import Foot
 from planner.round.round import Me, Round, Wish, biped_of, standing, stepping
 from planner.stepping import random
 from planner.stepping.beside import Place, beside, keeps_apart, middle_beside, middle_of
-from planner.stepping.footing import FINE, STALLED, needs_care, why_not_step
+from planner.stepping.footing import FINE, STALLED, is_rough, needs_care, why_not_step
 from worlds import queries
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit_borrowing
@@ -30,18 +30,19 @@ AWAY = 24
 def surely(round: Round, me: Me, middle: Place, heading: float, course: float, goes: bool) -> Wish:
     """A step that brings the walker's middle there, or the nearest to it on which the foot may stand.
 
-    Where the nearest does not get it on, it steps away by chance: it would tread on the spot for good. Else it stands.
+    Where the nearest does not get it on, it steps away by chance among rocks and slopes: it would tread on the spot for good.
+    Beside a wall alone it waits for others there, or turns.
     """
     biped, foot, side = biped_of(round, me), me.feet.newer, 1 - me.feet.newer.side
     x, y = beside(biped, side, middle, heading)
     if not needs_care(biped, round.world, foot.x, foot.y):
         return stepping(side, (x, y), heading, course, goes)
-    on = _gets_on(biped, foot, middle, heading, heading)
-    if (on or not goes) and why_not_step(biped, round.world, foot, x, y, heading) == FINE:
+    strays, on = is_rough(biped, round.world, foot.x, foot.y), _gets_on(biped, foot, middle, heading, heading)
+    if (on or not (strays and goes)) and why_not_step(biped, round.world, foot, x, y, heading) == FINE:
         return stepping(side, (x, y), heading, course, goes)
     found, turned = nearest_footing(biped, round.world, foot, middle, heading)
     there = middle_of(biped, side, found, turned)
-    if turned == inf or (on or goes) and not _gets_on(biped, foot, there, turned, heading):
+    if strays and (turned == inf or (on or goes) and not _gets_on(biped, foot, there, turned, heading)):
         found, turned = _away(round, me)
     if turned == inf:
         return standing(me, WAIT)

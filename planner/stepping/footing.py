@@ -222,4 +222,10 @@ def needs_care(biped: Dimensions, world: WorldArrays, x: float, y: float) -> boo
     """Whether steps from there need to be looked at: elsewhere who keeps off trees, water and the border stands well."""
     if queries.clearance(world, x, y) < biped.body.radius:  # something was put there, or one was set down there
         return True
+    return is_rough(biped, world, x, y)
+
+
+@jit_borrowing
+def is_rough(biped: Dimensions, world: WorldArrays, x: float, y: float) -> bool:
+    """Whether rocks or slopes lie within a step."""
     return not (is_gentle(biped, world) and is_bare(world, x, y, biped.reach.max_step + biped.foot.length))

@@ -96,7 +96,7 @@ def step_within(
     x, y = middle
     most, stride = biped.reach.max_turn, biped.gait.preferred_step
     course = wanted + clear_course(biped, world, x, y, wanted, margin, look, right_first)
-    if look < stride and free_way(biped, world, x, y, course, margin, stride) < STALLED * stride:
+    if look < stride and level_way(biped, world, x, y, course, stride) < STALLED * stride:
         course = wanted + clear_course(biped, world, x, y, wanted, margin, stride, right_first)
     turn = min(max(course - heading, -most), most)
     free = free_way(biped, world, x, y, heading + turn, margin, stride)
