@@ -24,9 +24,9 @@ BENT = 1.25
 """Length of a swinging leg, in shortest ones, from which on it resists to be bent more."""
 FREE_ENDS = 0.25
 """Share of the swing, at either end, over which the first gives way to the second: as far as a standing leg may reach."""
-OPEN, OPENS = 0.0012, 0.12
-"""So much more of its length is free at the very ends, and the share of the swing in which that comes: a standing leg reaches a
-little beyond what it should, and the foot goes on from where it stood."""
+OPEN, OPENS, OPENS_MORE = (0.003, 0.012), 0.12, 0.006
+"""By so much more, in full lengths, it may go freely and at most near the very ends, in which share of the swing, and by how
+much more there: a standing leg reaches a little beyond what it should, and the foot goes on from where it stood."""
 KNEE_TURN, WITH_TOES = 1.0, 0.65
 """Legs bend toward the toes, by this share of their turn from the body, but no farther than so much [rad], so that knees keep
 apart and no foot is twisted off its knee."""
@@ -148,9 +148,22 @@ def _leg_length(biped: Dimensions, length: float, s: float, kept: tuple[float, f
         least = shortest + (bent - shortest) * np.exp((length - bent) / (bent - shortest))
         return length + calm * (least - length)
     less = kept[0] * smoothstep(1 - 2 * s) + kept[1] * smoothstep(2 * s - 1)
-    more = OPEN * smoothstep(1 - min(s, 1 - s) / OPENS)
-    near = _limited(length, (FIRM_REACH - less + more) * full, (1 - YIELDS * less + more) * full)
+    near = _limited(length, (FIRM_REACH - less) * full, (1 - YIELDS * less) * full)
+    open_ = swing.fade(min(s, 1 - s), OPENS)
+    if open_ > 0:
+        near += open_ * (_length_at_end(length / full, s, kept[1], OPENS_MORE * open_) * full - near)
     return near + calm * (_limited(length, FREE_REACH * full, full) - near)
+
+
+@jit_inline
+def _length_at_end(length: float, s: float, kept: float, more: float) -> float:
+    """The same in full lengths next to an end of its swing, which takes the length of the leg that stood, or that will stand.
+
+    The solver keeps that within its reach, but not always: it is a cost. A leg that leaves may be as straight as it likes; one
+    that lands keeps room to brake the fall.
+    """
+    less = kept if s > 0.5 else 0.0
+    return _limited(length, FIRM_REACH - less + OPEN[0] + more, 1 - YIELDS * less + OPEN[1] + more)
 
 
 @jit_inline

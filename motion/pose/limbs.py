@@ -27,8 +27,9 @@ RUNNERS_INWARD = 0.12
 """How far a runner's hands point inward, in forearms: clear of the hips."""
 NECK_LINKS = 1.45
 """Length of a bobbing neck's two links together, in the distance that they bridge at rest."""
-WHIP, FLAP = 0.22, 0.16
-"""How far the tail swings sideways and up per sway, with g / 5 and g of acceleration [rad]."""
+WHIP, FLAP, MOST_WHIP = 0.22, 0.16, 1.5
+"""How far the tail swings per sway: sideways with 2 m/s^2, and up at most, three quarters of that with g of acceleration [rad];
+how far sideways at most, in the first."""
 
 
 @jit_borrowing
@@ -99,8 +100,8 @@ def lay_tail(
         ax, ay, az = trunk.trend(biped, past, k)
         left = cos(then) * ay - sin(then) * ax
         share = body.tail_sway * (k + 1) / TAIL
-        bend = yaw + body.tail_sway * (then - yaw) + WHIP * share * min(max(left / 2.0, -1.5), 1.5)
-        rise = body.tail_rise - 0.5 * pitch - FLAP * share * min(max(az / GRAVITY, -1.0), 1.0)
+        bend = yaw + body.tail_sway * (then - yaw) + WHIP * share * MOST_WHIP * tanh(left / (2.0 * MOST_WHIP))
+        rise = body.tail_rise - 0.5 * pitch - FLAP * share * tanh(az / GRAVITY)
         tail[k + 1, 0] = tail[k, 0] - piece * cos(rise) * cos(bend)
         tail[k + 1, 1] = tail[k, 1] - piece * cos(rise) * sin(bend)
         tail[k + 1, 2] = tail[k, 2] + piece * sin(rise)

@@ -22,8 +22,9 @@ NECK, NECK_2, HEAD = (INDEX[name] for name in ("neck", "neck_2", "head"))
 ARM, FOREARM, THIGH, SHANK = (INDEX[f"{name}_left"] for name in ("upper_arm", "forearm", "thigh", "shank"))
 METATARSUS, FOOT, TOES, TAIL_ROOT = (INDEX[name] for name in ("metatarsus_left", "foot_left", "toes_left", "tail_1"))
 WING = INDEX["wing_left"]
-SPREAD, RAISED, HARDLY = 1.0, 0.5, 0.04
-"""How far wings open outward and rise in free fall [rad], and the cube of the fall, in g, at which they are half open."""
+SPREAD, RAISED, HARDLY = 1.0, 0.5, 0.035
+"""How far wings open outward and rise at most [rad], and the cube of the fall, as the tail tells it, at which they are half
+open: at a third of g."""
 
 
 @jit_inline
