@@ -26,7 +26,7 @@ ROCKY, STEEP, GIVES = 0.6, 0.12, 0.35
 """The same on rocks, where legs give so that the body keeps its pace. Where legs lift or lower the body in a step by STEEP of
 their length or more, GIVES is the most everywhere."""
 SWITCH = 0.005
-"""Time [s] in which the force changes from one leg to another that takes over at once."""
+"""Time [s] in which the force changes, at least, from one leg to another that takes over at once or nearly so."""
 FULL_FLIGHT, BRIEF = 0.12, 0.3
 """From this time [s] on a flight changes all that it does beside it; one half as long counts this share: as costs are norms, a
 flight is ballistic or not, and with less weight it comes to be so more slowly as it grows."""
@@ -68,11 +68,17 @@ def _on_rock(footprints: Footprints, support: np.ndarray, i: int) -> bool:
 
 
 @jit_borrowing
-def _switches(support: np.ndarray, i: int) -> bool:
-    """Whether after phase i one foot takes over from another, with neither an overlap nor a flight between."""
-    n = min(i + 1, len(support) - 1)
-    before, after = phases.phase_of(support[i, 0], support[i, 1]), phases.phase_of(support[n, 0], support[n, 1])
-    return before != after and max(before, after) < phases.DOUBLE_STANCE
+def _switch(time: np.ndarray, support: np.ndarray, i: int) -> float:
+    """How long before the end of phase i [s] the force may begin to change: SWITCH where one foot takes over from another at
+    once, less by the overlap or the flight between them; 0: it has time for that there, or no reason to change."""
+    if i + 1 >= len(support) or max(support[i, 0], support[i, 1]) < 0 or min(support[i, 0], support[i, 1]) >= 0:
+        return 0.0
+    before, after = phases.phase_of(support[i, 0], support[i, 1]), phases.phase_of(support[i + 1, 0], support[i + 1, 1])
+    room = SWITCH
+    if after >= phases.DOUBLE_STANCE:
+        room -= time[i + 2] - time[i + 1]
+    long = time[i + 1] - time[i] > 4 * SWITCH
+    return room if before != after and long and room > phases.SHORTEST_PHASE else 0.0
 
 
 @jit_borrowing
@@ -110,7 +116,7 @@ def _count_pieces(biped: Dimensions, time: np.ndarray, support: np.ndarray, stea
             counts[i, 0] = min(max(pieces, 1), SINGLE)
         elif not flies(support, i):
             counts[i, 0] = SINGLE
-        counts[i, 1] = 1 if steady and time[i + 1] - time[i] > 4 * SWITCH and _switches(support, i) else 0
+        counts[i, 1] = 1 if steady and _switch(time, support, i) > 0 else 0
         total += counts[i, 0] + counts[i, 1]
     return total
 
@@ -125,7 +131,9 @@ def _lay_pieces(biped: Dimensions, footprints: Footprints, whole: Cut, steady: b
         beside = max(flown(time, support, i - 1, steady), flown(time, support, i + 1, steady))
         rocky, steep = _on_rock(footprints, support, i), _steep(biped, footprints, support, i)
         for k in range(count + counts[i, 1]):
-            cut.time[n] = time[i] + k * (time[i + 1] - time[i]) / count if k < count else time[i + 1] - SWITCH
+            cut.time[n] = (
+                time[i] + k * (time[i + 1] - time[i]) / count if k < count else time[i + 1] - _switch(time, support, i)
+            )
             cut.support[n, 0], cut.support[n, 1] = support[i, 0], support[i, 1]
             middle = single and count <= SINGLE * k < 2 * count
             cut.share[n] = _share(beside, rocky, middle, steep)

@@ -192,3 +192,10 @@ def test_the_gizmo_turns_what_it_says():
         matrix = rotation_matrix(vector)
         np.testing.assert_allclose(matrix @ matrix.T, np.eye(3), atol=1e-12)
         np.testing.assert_allclose(rotation_vector(matrix), vector, atol=1e-9)
+
+
+def test_every_layout_of_a_curve_has_words():
+    from motion.com.window import LAYOUTS
+    from sim.view.studio.bars.inspector import CURVES
+
+    assert list(CURVES) == list(LAYOUTS)

@@ -24,6 +24,9 @@ LIMITS = {
 }  # fmt: skip
 """Of what a style or a stretch may be, where it is not 0 to 3."""
 
+CURVES = {"smooth": "smooth", "steady": "steady, for the hand", "phase": "a cubic per phase", "step": "a cubic per step"}
+"""A track's `segments` in words: steady ones follow a time that is dragged without a jump."""
+
 
 class Inspector:
     """Draws the panel; a number that is dragged is an edit when it is let go."""
@@ -80,8 +83,9 @@ class Inspector:
         self._style(desk)
 
     def _style(self, desk: Desk) -> None:
-        """How the character carries itself."""
-        style = desk.document.tracks[desk.track].style
+        """How the character carries itself, and how its curve is laid."""
+        track = desk.document.tracks[desk.track]
+        style = track.style
         if not imgui.collapsing_header("style"):
             return
         for name in Style.model_fields:
@@ -92,6 +96,9 @@ class Inspector:
                 desk.preview(groups.SetTrack(desk.track, "style", carried, f"Style: {words}"))
             if imgui.is_item_deactivated_after_edit():
                 desk.drop()
+        changed, at = imgui.combo("curve", list(CURVES).index(track.segments), list(CURVES.values()))
+        if changed:
+            desk.do(groups.SetTrack(desk.track, "segments", list(CURVES)[at], "Lay the curve otherwise"))
 
     def _footprint(self, desk: Desk) -> None:
         """What is chosen, in numbers; of several, the first."""
