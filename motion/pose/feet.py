@@ -11,10 +11,13 @@ from motion.characters.dimensions import Dimensions
 from motion.pose import legs, swing
 from motion.pose.pose import Pose
 from motion.track import foot
+from motion.track.curve import Track, position_at
 from motion.track.footprints import Footprints
+from motion.track.heading import body_heading
 from motion.track.leg import landing_reach, leaving_reach
+from motion.track.pelvis import pelvis_at
 from motion.track.tilt import tilt_of, tilted
-from worlds.compiled.jit import jit_borrowing, jit_inline
+from worlds.compiled.jit import jit_borrowing, jit_inline, stack_array
 
 FREE_REACH, FIRM_REACH = 0.93, 0.9985
 """Shares of its full length up to which a swinging leg goes freely: in mid-swing, and near the ends."""
@@ -24,9 +27,9 @@ BENT = 1.25
 """Length of a swinging leg, in shortest ones, from which on it resists to be bent more."""
 FREE_ENDS = 0.25
 """Share of the swing, at either end, over which the first gives way to the second: as far as a standing leg may reach."""
-OPEN, OPENS, OPENS_MORE = (0.003, 0.012), 0.12, 0.006
-"""By so much more, in full lengths, it may go freely and at most near the very ends, in which share of the swing, and by how
-much more there: a standing leg reaches a little beyond what it should, and the foot goes on from where it stood."""
+OPEN, OPENS, JUST = 0.0012, 0.12, 2e-4
+"""So much more of its length is free at the very ends, and in which share of the swing; or just as much as the leg that stood,
+or will stand, is longer than it should be: the foot goes on from where it stood."""
 KNEE_TURN, WITH_TOES = 1.0, 0.65
 """Legs bend toward the toes, by this share of their turn from the body, but no farther than so much [rad], so that knees keep
 apart and no foot is twisted off its knee."""
@@ -34,9 +37,9 @@ CARRIED_FROM, CARRIED = 4.0, 5.5
 """Swing times, in pendulum times, from which on a foot is carried with the body, and from which on wholly."""
 CARRIED_ENDS, HANGS = 0.35, (0.3, 0.72)
 """Share of the swing, at either end, over which that sets in; where the ankle hangs, back and down from the hip, in legs."""
-
 UNDER_HIP = 1.2
 """Distance aside of its hip, in shortest legs, from which on a swinging ankle may be as high as the hip."""
+_empty_place = stack_array(1, 3)
 
 
 class Hips(NamedTuple):
@@ -139,8 +142,9 @@ def _kept_back(biped: Dimensions, footprints: Footprints, last: int, following: 
 
 
 @jit_borrowing
-def _leg_length(biped: Dimensions, length: float, s: float, kept: tuple[float, float]) -> float:
-    """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent."""
+def _leg_length(biped: Dimensions, length: float, s: float, kept: tuple[float, float], end: float) -> float:
+    """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent; end:
+    that of the leg that stands at the near end of the swing."""
     full, shortest = biped.leg.max_length, biped.leg.min_length
     calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
     bent = BENT * shortest
@@ -148,31 +152,43 @@ def _leg_length(biped: Dimensions, length: float, s: float, kept: tuple[float, f
         least = shortest + (bent - shortest) * np.exp((length - bent) / (bent - shortest))
         return length + calm * (least - length)
     less = kept[0] * smoothstep(1 - 2 * s) + kept[1] * smoothstep(2 * s - 1)
-    near = _limited(length, (FIRM_REACH - less) * full, (1 - YIELDS * less) * full)
-    open_ = swing.fade(min(s, 1 - s), OPENS)
-    if open_ > 0:
-        near += open_ * (_length_at_end(length / full, s, kept[1], OPENS_MORE * open_) * full - near)
+    beyond = end / full - (FIRM_REACH - (kept[0] if s < 0.5 else kept[1]))
+    more = max(OPEN, beyond + JUST) * swing.fade(min(s, 1 - s), OPENS)
+    near = _limited(length, (FIRM_REACH - less + more) * full, (1 - YIELDS * less + more) * full)
     return near + calm * (_limited(length, FREE_REACH * full, full) - near)
 
 
-@jit_inline
-def _length_at_end(length: float, s: float, kept: float, more: float) -> float:
-    """The same in full lengths next to an end of its swing, which takes the length of the leg that stood, or that will stand.
+@jit_borrowing
+def _stood(biped: Dimensions, track: Track, swings: tuple[int, int], leg: int, t: float) -> float:
+    """Length [m] of the leg that stood before a swing, or will stand after it, for a time t near that end of it; else 0.
 
-    The solver keeps that within its reach, but not always: it is a cost. A leg that leaves may be as straight as it likes; one
-    that lands keeps room to brake the fall.
+    The solver keeps it within its reach, but not always: it is a cost. `swings`: the footprints from and to which it swings.
     """
-    less = kept if s > 0.5 else 0.0
-    return _limited(length, FIRM_REACH - less + OPEN[0] + more, 1 - YIELDS * less + OPEN[1] + more)
+    footprints, curve, (last, following) = track.footprints, track.curve, swings
+    left, landed = footprints.contact_time[last] + footprints.stance_time[last], footprints.contact_time[following]
+    ends = OPENS * (landed - left)
+    then, n, u = (left, last, 1.0) if t < left + ends else (landed, following, 0.0)
+    known = curve.time[0] <= then <= curve.time[-1] and (n == last or t >= footprints.contact_time[following - 1])
+    if abs(t - then) > ends or not known:
+        return 0.0
+    place = _empty_place()[0]
+    position_at(curve, then, place)
+    turn, roll = pelvis_at(biped, footprints, then)
+    hip = foot.hip_offset(biped, leg, body_heading(biped, footprints, then) + turn, roll)
+    ankle = foot.stance_ankle(biped, footprints, n, u)
+    x, y, z = place[0] + hip[0] - ankle[0], place[1] + hip[1] - ankle[1], place[2] + hip[2] - ankle[2]
+    return np.sqrt(x * x + y * y + z * z)
 
 
 @jit_inline
-def _keep_in_reach(biped: Dimensions, hip: Triple, s: float, kept: tuple[float, float], pose: Pose, c: int, leg: int) -> None:
+def _keep_in_reach(
+    biped: Dimensions, hip: Triple, s: float, kept: tuple[float, float], end: float, pose: Pose, c: int, leg: int
+) -> None:
     """Draws a swinging foot along the line to its hip, so that its leg is never longer or more bent than it can be."""
     ankle = pose.ankle[c, leg]
     x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
     length = max(np.sqrt(x * x + y * y + z * z), 1e-6)
-    _move(pose, c, leg, _leg_length(biped, length, s, kept) / length - 1, (x, y, z))
+    _move(pose, c, leg, _leg_length(biped, length, s, kept, end) / length - 1, (x, y, z))
 
 
 @jit_inline
@@ -210,8 +226,9 @@ def _keep_below(biped: Dimensions, hip: Triple, s: float, pose: Pose, c: int, le
 
 
 @jit_inline
-def _swing(biped: Dimensions, footprints: Footprints, leg: int, yaw: float, t: float, pose: Pose, c: int) -> float:
+def _swing(biped: Dimensions, track: Track, leg: int, yaw: float, t: float, pose: Pose, c: int) -> float:
     """A foot in the air; returns its heading."""
+    footprints = track.footprints
     last, following = footprints_at(footprints, leg, t)
     if following < 0:
         return _stand(biped, footprints, last, t, pose, c, leg)
@@ -221,13 +238,15 @@ def _swing(biped: Dimensions, footprints: Footprints, leg: int, yaw: float, t: f
     hip = (pose.hip[c, leg, 0], pose.hip[c, leg, 1], pose.hip[c, leg, 2])
     _carry(biped, hip, yaw, swing.swing_time(footprints, last, following), s, pose, c, leg)
     _keep_below(biped, hip, s, pose, c, leg)
-    _keep_in_reach(biped, hip, s, _kept_back(biped, footprints, last, following), pose, c, leg)
+    end = _stood(biped, track, (last, following), leg, t)
+    _keep_in_reach(biped, hip, s, _kept_back(biped, footprints, last, following), end, pose, c, leg)
     return toes
 
 
 @jit_inline
-def pose_leg(biped: Dimensions, footprints: Footprints, n: int, leg: int, body: Hips, t: float, pose: Pose, c: int) -> None:
+def pose_leg(biped: Dimensions, track: Track, n: int, leg: int, body: Hips, t: float, pose: Pose, c: int) -> None:
     """Poses a leg that footprint n carries, -1 for none."""
+    footprints = track.footprints
     yaw, offset = body.yaw, foot.hip_offset(biped, leg, body.yaw + body.turn, body.roll)
     hip = (pose.com[c, 0] + offset[0], pose.com[c, 1] + offset[1], pose.com[c, 2] + offset[2])
     _set(pose.hip, c, leg, hip)
@@ -239,7 +258,7 @@ def pose_leg(biped: Dimensions, footprints: Footprints, n: int, leg: int, body: 
         _tilt(biped, footprints, n, u, hip, pose, c, leg)
     else:
         pose.point_of_support[c, leg] = np.nan
-        toes = _swing(biped, footprints, leg, yaw, t, pose, c)
+        toes = _swing(biped, track, leg, yaw, t, pose, c)
     ahead = yaw + KNEE_TURN * np.tanh(WITH_TOES * (toes - yaw) / KNEE_TURN)
     ankle = pose.ankle[c, leg]
     knee, hock = legs.joints(biped, hip, (ankle[0], ankle[1], ankle[2]), (np.cos(ahead), np.sin(ahead), 0.0))

@@ -57,7 +57,7 @@ def pose_one(posed_at: int, pose_at: int) -> None:
     pose.comfort_cost[c] = 0.0
     for leg in range(2):  # a loop, so that the compiler makes the leg once
         n = left if leg == LEFT else right
-        pose_leg(biped, footprints, n, leg, hips, t, pose, c)
+        pose_leg(biped, track, n, leg, hips, t, pose, c)
         if n >= 0:
             pose.comfort_cost[c] += _comfort_cost(biped, footprints, n, t, pose, c, leg)
     pose_body(biped, track, hips, t, pose, c)
