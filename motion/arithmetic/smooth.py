@@ -11,6 +11,12 @@ def smoothstep(x: float) -> float:
 
 
 @jit_borrowing
+def fade(s: float, end: float) -> float:
+    """From 1 at 0 to 0 at `end`, smooth at both."""
+    return 1 - smoothstep(s / end)
+
+
+@jit_borrowing
 def mix(begin: float, end: float, share: float) -> float:
     """Between two numbers: the first at share 0, the second at 1."""
     return begin + share * (end - begin)

@@ -5,31 +5,20 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
-from motion.arithmetic.smooth import smoothstep
+from motion.arithmetic.smooth import fade
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from motion.pose import legs, swing
-from motion.pose.pose import Pose
+from motion.pose.pose import Pose, point_of
 from motion.track import foot
 from motion.track.curve import Track, position_at
 from motion.track.footprints import Footprints
 from motion.track.heading import body_heading
-from motion.track.leg import landing_reach, leaving_reach
+from motion.track.leg import BENT, FREE_ENDS, OPENS, landing_reach, leaving_reach, swing_length
 from motion.track.pelvis import pelvis_at
 from motion.track.tilt import tilt_of, tilted
 from worlds.compiled.jit import jit_borrowing, jit_inline, stack_array
 
-FREE_REACH, FIRM_REACH = 0.93, 0.9985
-"""Shares of its full length up to which a swinging leg goes freely: in mid-swing, and near the ends."""
-YIELDS = 0.45
-"""How much less than its full length a runner's leg is let come to, in what it may reach less: straight knees pop."""
-BENT = 1.25
-"""Length of a swinging leg, in shortest ones, from which on it resists to be bent more."""
-FREE_ENDS = 0.25
-"""Share of the swing, at either end, over which the first gives way to the second: as far as a standing leg may reach."""
-OPEN, OPENS, JUST = 0.0012, 0.12, 2e-4
-"""So much more of its length is free at the very ends, and in which share of the swing; or just as much as the leg that stood,
-or will stand, is longer than it should be: the foot goes on from where it stood."""
 KNEE_TURN, WITH_TOES = 1.0, 0.65
 """Legs bend toward the toes, by this share of their turn from the body, but no farther than so much [rad], so that knees keep
 apart and no foot is twisted off its knee."""
@@ -66,11 +55,6 @@ def footprints_at(footprints: Footprints, leg: int, t: float) -> tuple[int, int]
 @jit_inline
 def _set(array: np.ndarray, c: int, leg: int, point: Triple) -> None:
     array[c, leg, 0], array[c, leg, 1], array[c, leg, 2] = point
-
-
-@jit_inline
-def _at(array: np.ndarray, c: int, leg: int) -> Triple:
-    return array[c, leg, 0], array[c, leg, 1], array[c, leg, 2]
 
 
 @jit_inline
@@ -119,7 +103,7 @@ def _carry(biped: Dimensions, hip: Triple, yaw: float, time: float, s: float, po
     long = (time / pendulum_time(nominal) - CARRIED_FROM) / (CARRIED - CARRIED_FROM)
     if long <= 0:
         return
-    share = (1 - swing.fade(long, 1.0)) * (1 - swing.fade(min(s, 1 - s), CARRIED_ENDS))
+    share = (1 - fade(long, 1.0)) * (1 - fade(min(s, 1 - s), CARRIED_ENDS))
     back, down, ankle = HANGS[0] * nominal, HANGS[1] * nominal, pose.ankle[c, leg]
     up = max(hip[2] - down - ankle[2], 0.0)  # never lower than on its own way: who lands low would push it into the ground
     way = (hip[0] - back * np.cos(yaw) - ankle[0], hip[1] - back * np.sin(yaw) - ankle[1], up)
@@ -127,35 +111,9 @@ def _carry(biped: Dimensions, hip: Triple, yaw: float, time: float, s: float, po
 
 
 @jit_borrowing
-def _limited(length: float, free: float, full: float) -> float:
-    """A length that is its own up to `free` and comes smoothly to `full`: free + (full - free) (1 - exp(-x)), x = (length -
-    free) / (full - free)."""
-    if length <= free:
-        return length
-    return free + (full - free) * (1 - np.exp((free - length) / (full - free)))
-
-
-@jit_borrowing
 def _kept_back(biped: Dimensions, footprints: Footprints, last: int, following: int) -> tuple[float, float]:
     """Shares of its reach that a swinging leg does not take, as it leaves and as it lands (motion.track.foot)."""
     return 1 - leaving_reach(biped, footprints, last + 1), 1 - landing_reach(biped, footprints, following)
-
-
-@jit_borrowing
-def _leg_length(biped: Dimensions, length: float, s: float, kept: tuple[float, float], end: float) -> float:
-    """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent; end:
-    that of the leg that stands at the near end of the swing."""
-    full, shortest = biped.leg.max_length, biped.leg.min_length
-    calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
-    bent = BENT * shortest
-    if length < bent:
-        least = shortest + (bent - shortest) * np.exp((length - bent) / (bent - shortest))
-        return length + calm * (least - length)
-    less = kept[0] * smoothstep(1 - 2 * s) + kept[1] * smoothstep(2 * s - 1)
-    beyond = end / full - (FIRM_REACH - (kept[0] if s < 0.5 else kept[1]))
-    more = max(OPEN, beyond + JUST) * swing.fade(min(s, 1 - s), OPENS)
-    near = _limited(length, (FIRM_REACH - less + more) * full, (1 - YIELDS * less + more) * full)
-    return near + calm * (_limited(length, FREE_REACH * full, full) - near)
 
 
 @jit_borrowing
@@ -188,7 +146,7 @@ def _keep_in_reach(
     ankle = pose.ankle[c, leg]
     x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
     length = max(np.sqrt(x * x + y * y + z * z), 1e-6)
-    _move(pose, c, leg, _leg_length(biped, length, s, kept, end) / length - 1, (x, y, z))
+    _move(pose, c, leg, swing_length(biped, length, s, kept, end) / length - 1, (x, y, z))
 
 
 @jit_inline
@@ -197,14 +155,14 @@ def _tilt(biped: Dimensions, footprints: Footprints, n: int, u: float, hip: Trip
     pitch, full = foot.strike_pitch(footprints, n, u), biped.leg.max_length
     if pitch < 0:  # it comes down about its ball
         return
-    heel, ball, ankle = _at(pose.heel, c, leg), _at(pose.ball, c, leg), _at(pose.ankle, c, leg)
+    heel, ball, ankle = point_of(pose.heel, c, leg), point_of(pose.ball, c, leg), point_of(pose.ankle, c, leg)
     tilt = tilt_of(heel, ball, ankle, hip, full) if pitch > 0 else tilt_of(ball, heel, ankle, hip, full)
     if tilt.by == 0:
         return
     _set(pose.ankle, c, leg, tilted(tilt, ankle))
     if pitch > 0:
         _set(pose.ball, c, leg, tilted(tilt, ball))
-        _set(pose.toe, c, leg, tilted(tilt, _at(pose.toe, c, leg)))
+        _set(pose.toe, c, leg, tilted(tilt, point_of(pose.toe, c, leg)))
     else:
         _set(pose.heel, c, leg, tilted(tilt, heel))
 
@@ -221,7 +179,7 @@ def _keep_below(biped: Dimensions, hip: Triple, s: float, pose: Pose, c: int, le
     lack = shortest * (1 - (x * x + y * y) / (UNDER_HIP * shortest) ** 2) - (hip[2] - ankle[2])
     soft = (BENT - 1) * shortest
     if lack > -soft:
-        calm = 1 - swing.fade(min(s, 1 - s), FREE_ENDS)
+        calm = 1 - fade(min(s, 1 - s), FREE_ENDS)
         _move(pose, c, leg, calm * (lack if lack > soft else (lack + soft) ** 2 / (4 * soft)), (0.0, 0.0, -1.0))
 
 

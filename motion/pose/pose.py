@@ -4,7 +4,9 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from motion.arithmetic.triples import Triple
 from motion.pose.limbs import TAIL
+from worlds.compiled.jit import jit_inline
 from worlds.compiled.tables import Column, Integers, Numbers, Quaternions, Vectors, empty
 
 Joints = Annotated[np.ndarray, Column(shape=(2, 3))]
@@ -48,3 +50,9 @@ class Pose(NamedTuple):
 def empty_pose(count: int) -> Pose:
     """A pose of so many characters, all zero."""
     return empty(Pose, count)
+
+
+@jit_inline
+def point_of(array: np.ndarray, c: int, side: int) -> Triple:
+    """A point of one side of character c."""
+    return array[c, side, 0], array[c, side, 1], array[c, side, 2]

@@ -18,7 +18,7 @@ is in its way there.
 from math import asin, cos, sin, sqrt
 from typing import NamedTuple
 
-from motion.arithmetic.smooth import smoothstep
+from motion.arithmetic.smooth import fade, smoothstep
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from motion.track import foot
@@ -74,12 +74,6 @@ def progress(s: float, hold: float, run: float = 0.0) -> float:
 def bump(s: float) -> float:
     """Share of the lift: 16 s^2 (1 - s)^2, 1 in the middle."""
     return 16 * s * s * (1 - s) * (1 - s)
-
-
-@jit_borrowing
-def fade(s: float, end: float) -> float:
-    """From 1 at 0 to 0 at `end`, smooth at both."""
-    return 1 - smoothstep(s / end)
 
 
 @jit_borrowing

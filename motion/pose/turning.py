@@ -14,7 +14,7 @@ from motion.arithmetic.triples import Triple, cross, dot, minus, norm, plus, tim
 from motion.characters.dimensions import Dimensions
 from motion.pose.bones import BONES, INDEX, Bones
 from motion.pose.limbs import FLAP, TAIL, neck_links
-from motion.pose.pose import Pose
+from motion.pose.pose import Pose, point_of
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 
 ROOT, BODY, PELVIS, SPINE = (INDEX[name] for name in ("root", "body", "pelvis", "spine"))
@@ -25,11 +25,6 @@ WING = INDEX["wing_left"]
 SPREAD, RAISED, HARDLY = 1.0, 0.5, 0.035
 """How far wings open outward and rise at most [rad], and the cube of the fall, as the tail tells it, at which they are half
 open: at a third of g."""
-
-
-@jit_inline
-def _point(array: np.ndarray, c: int, side: int) -> Triple:
-    return array[c, side, 0], array[c, side, 1], array[c, side, 2]
 
 
 @jit_inline
@@ -75,25 +70,25 @@ def _link(bones: Bones, c: int, bone: int, parent: Quaternion, way: Triple, left
 @jit_borrowing
 def _leg(biped: Dimensions, pose: Pose, c: int, side: int, root: Quaternion, bones: Bones) -> None:
     """Thigh to toes: the leg's plane holds hip, knee and ankle; the sole's ends and the ankle give the foot's axes."""
-    hip, knee, hock = _point(pose.hip, c, side), _point(pose.knee, c, side), _point(pose.hock, c, side)
-    ankle, ball = _point(pose.ankle, c, side), _point(pose.ball, c, side)
+    hip, knee, hock = point_of(pose.hip, c, side), point_of(pose.knee, c, side), point_of(pose.hock, c, side)
+    ankle, ball = point_of(pose.ankle, c, side), point_of(pose.ball, c, side)
     left = unit(cross(minus(knee, hip), minus(ankle, hip)))
     above = _link(bones, c, THIGH + side, root, minus(knee, hip), left, biped.leg.thigh)
     above = _link(bones, c, SHANK + side, above, minus(hock, knee), left, biped.leg.shank)
     if biped.leg.metatarsus > 0:
         above = _link(bones, c, METATARSUS + side, above, minus(ankle, hock), left, biped.leg.metatarsus)
-    forward = unit(minus(ball, _point(pose.heel, c, side)))
+    forward = unit(minus(ball, point_of(pose.heel, c, side)))
     behind = times(biped.foot.ankle_forward - biped.foot.ball_forward, forward)
     up = unit(minus(minus(ankle, ball), behind))
     aside = cross(up, forward)
     above = _turn(bones, c, FOOT + side, above, rotations.of_axes((forward, aside, up)))
-    forward = unit(minus(_point(pose.toe, c, side), ball))
+    forward = unit(minus(point_of(pose.toe, c, side), ball))
     _turn(bones, c, TOES + side, above, rotations.of_axes((forward, aside, cross(forward, aside))))
 
 
 @jit_borrowing
 def _arm(biped: Dimensions, pose: Pose, c: int, side: int, chest: Quaternion, bones: Bones) -> None:
-    shoulder, elbow, hand = _point(pose.shoulder, c, side), _point(pose.elbow, c, side), _point(pose.hand, c, side)
+    shoulder, elbow, hand = point_of(pose.shoulder, c, side), point_of(pose.elbow, c, side), point_of(pose.hand, c, side)
     left = _axis_left(chest)
     above = _link(bones, c, ARM + side, chest, minus(elbow, shoulder), left, biped.body.upper_arm)
     _link(bones, c, FOREARM + side, above, minus(hand, elbow), left, biped.body.forearm)
@@ -194,7 +189,7 @@ def fill_bones(biped: Dimensions, pose: Pose, c: int, bones: Bones) -> None:
     for k in range(3):
         bones.root[c, k] = pose.com[c, k]
     nothing = (1.0, 0.0, 0.0, 0.0)
-    across = minus(_point(pose.hip, c, 0), _point(pose.hip, c, 1))
+    across = minus(point_of(pose.hip, c, 0), point_of(pose.hip, c, 1))
     roll = _elevation(across[2] / norm(across))
     root = _turn(bones, c, ROOT, nothing, rotations.quaternion(atan2(-across[0], across[1]), 0.0, roll))
     body = _turn(bones, c, BODY, root, _rotation(pose.body_rotation_wxyz, c))

@@ -1,6 +1,10 @@
-"""The leg over a standing foot: how long it likes to be, and how long it may be where it lands and leaves (section 2.4)."""
+"""Lengths of a leg: what it likes over a standing foot, what it may have where it lands and leaves, and what in its swing
+(section 2.4)."""
+
+from math import exp
 
 from motion.arithmetic.gravity import GRAVITY
+from motion.arithmetic.smooth import fade, smoothstep
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import Footprints, rise, step_length
 from worlds.compiled.jit import jit_borrowing
@@ -12,6 +16,17 @@ LOADING_ENDS, PUSH_BEGINS = 0.6, 0.75
 CALM, LANDING, LEAVING, LEAST_REACH = 0.2, 0.085, 0.06, 0.94
 """Rate of a leg's length, in sqrt(g l), from which on less than its whole reach is taken; by which share of it less for each
 sqrt(g l), where it lands and where it leaves; the least that it has."""
+FREE_REACH, FIRM_REACH = 0.93, 0.9985
+"""Shares of its full length up to which a swinging leg goes freely: in mid-swing, and near the ends."""
+YIELDS = 0.45
+"""How much less than its full length a runner's leg is let come to, in what it may reach less: straight knees pop."""
+BENT = 1.25
+"""Length of a swinging leg, in shortest ones, from which on it resists to be bent more."""
+FREE_ENDS = 0.25
+"""Share of the swing, at either end, over which the first gives way to the second: as far as a standing leg may reach."""
+OPEN, OPENS, JUST = 0.0012, 0.12, 2e-4
+"""So much more of its length is free at the very ends, and in which share of the swing; or just as much as the leg that stood,
+or will stand, is longer than it should be: the foot goes on from where it stood."""
 
 
 @jit_borrowing
@@ -60,3 +75,29 @@ def _rate(biped: Dimensions, footprints: Footprints, n: int, height: float) -> f
     length = step_length(footprints, n)
     slant = min(0.5 * length * (1 - flight / time) / biped.leg.nominal_length, 1.0)
     return length / time * slant + (0.5 * GRAVITY * flight + 1.5 * height / time) * (1 - slant * slant) ** 0.5
+
+
+@jit_borrowing
+def _limited(length: float, free: float, full: float) -> float:
+    """A length that is its own up to `free` and comes smoothly to `full`: free + (full - free) (1 - exp(-x)), x = (length -
+    free) / (full - free)."""
+    if length <= free:
+        return length
+    return free + (full - free) * (1 - exp((free - length) / (full - free)))
+
+
+@jit_borrowing
+def swing_length(biped: Dimensions, length: float, s: float, kept: tuple[float, float], end: float) -> float:
+    """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent; end:
+    that of the leg that stands at the near end of the swing."""
+    full, shortest = biped.leg.max_length, biped.leg.min_length
+    calm = 1 - fade(min(s, 1 - s), FREE_ENDS)
+    bent = BENT * shortest
+    if length < bent:
+        least = shortest + (bent - shortest) * exp((length - bent) / (bent - shortest))
+        return length + calm * (least - length)
+    less = kept[0] * smoothstep(1 - 2 * s) + kept[1] * smoothstep(2 * s - 1)
+    beyond = end / full - (FIRM_REACH - (kept[0] if s < 0.5 else kept[1]))
+    more = max(OPEN, beyond + JUST) * fade(min(s, 1 - s), OPENS)
+    near = _limited(length, (FIRM_REACH - less + more) * full, (1 - YIELDS * less + more) * full)
+    return near + calm * (_limited(length, FREE_REACH * full, full) - near)

@@ -22,7 +22,7 @@ STEEPEST = 0.7
 
 
 class Tilt(NamedTuple):
-    """How a foot tilts about a point that stays, its pivot."""
+    """How a foot tilts about a point that stays, its pivot; one that does not (by = 0) has no axes."""
 
     pivot: Triple
     forward: Triple  # unit vector along the sole, from its far end to the pivot

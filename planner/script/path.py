@@ -87,13 +87,13 @@ def footprints_along(path: Path, character: Character) -> list[Footprint]:
     line = hermite_path(path.points, path.tangents)
     length = float(np.hypot(*np.diff(line, axis=0).T).sum())
     middles, directions = strides.along(line, np.concatenate([[0.0, 0.0], _distances(path, length), [length]]))
-    ends, last = np.hypot(*np.diff(middles, axis=0).T), len(middles) - 1
+    steps, last = np.hypot(*np.diff(middles, axis=0).T), len(middles) - 1
     side = 1 - SIDES.index(path.first)  # the foot that steps first is the older of the two stood on
     moved, footprints = {one.step: one for one in path.moved}, []
     for k, (middle, direction) in enumerate(zip(middles, np.unwrap(directions), strict=True)):
         foot = (side + k + 1) % 2
         heading = direction + radians(path.feet_deg)
-        width = _width(path, character.biped, float(ends[k - 1]) if 1 < k < last else 0.0)
+        width = _width(path, character.biped, float(steps[k - 1]) if 1 < k < last else 0.0)
         across, ahead = 0.5 * width * (1 - 2 * foot), path.stagger * (foot - 0.5)
         place = (
             float(middle[0] - across * np.sin(heading) + ahead * np.cos(direction)),
@@ -105,7 +105,7 @@ def footprints_along(path: Path, character: Character) -> list[Footprint]:
 
 
 def _width(path: Path, biped: Dimensions, length: float) -> float:
-    """How far [m] a footprint lies across the path from the next one, after a step of that length [m]; 0: it is stood on."""
+    """Distance [m] between the lines of left and right where a step of that length [m] ends; 0: a foot that stands there."""
     if path.step_width is not None:
         return path.step_width
     speed = timing.pace_of(biped, length) if path.step_time is None else length / path.step_time

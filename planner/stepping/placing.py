@@ -4,7 +4,7 @@ from math import cos, sin, sqrt
 from typing import Any
 
 from motion.arithmetic.gravity import froude_number, pendulum_time
-from motion.arithmetic.smooth import mix, smoothstep
+from motion.arithmetic.smooth import fade, mix, smoothstep
 from motion.characters.dimensions import Dimensions
 from motion.pose import swing
 from motion.track import foot
@@ -100,7 +100,7 @@ def lay_strike(biped: Dimensions, footprints: Footprints, n: int) -> None:
     calm = (time / pendulum_time(biped.leg.nominal_length) - QUICK) / (CALM - QUICK)
     angle = biped.foot.heel_strike_angle * min(max(1 - 2 * footprints.roll[n, 0], -1.0), 1.0)
     running = 1 - RUNNERS_STRIKE * foot.runs(footprints, before)
-    footprints.strike[n] = angle * running * (1 - swing.fade(max(calm, 0.0), 1.0))
+    footprints.strike[n] = angle * running * (1 - fade(max(calm, 0.0), 1.0))
 
 
 @jit_borrowing

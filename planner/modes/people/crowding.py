@@ -30,7 +30,7 @@ class Grid(NamedTuple):
     area: np.ndarray  # (A, rows, columns) bool: cells of the areas
 
 
-def grid_of(world: World, widest: Dimensions, polygons: list[np.ndarray]) -> Grid:
+def grid_of(world: World, biped: Dimensions, polygons: list[np.ndarray]) -> Grid:
     """The grid of a world for areas (each (P, 2) [m]). Raises InputError where it is too large for so many."""
     cell = max(FINEST, float(np.sqrt(world.size[0] * world.size[1] / MOST_CELLS)))
     rows, columns = (max(int(np.ceil(world.size[k] / cell)), 1) for k in (1, 0))
@@ -39,7 +39,7 @@ def grid_of(world: World, widest: Dimensions, polygons: list[np.ndarray]) -> Gri
             f"{world.name}: {len(polygons)} areas in a world so large: their ways take too much memory; give fewer"
         )
     slowness = np.empty((rows, columns))
-    lay_out(widest, world.arrays, cell, slowness)
+    lay_out(biped, world.arrays, cell, slowness)
     return Grid(cell, slowness, np.array([cells_inside(one, (rows, columns), cell) for one in polygons]))
 
 

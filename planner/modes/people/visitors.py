@@ -63,7 +63,7 @@ class Visiting:
         )
 
     def grid(self, world: World) -> Grid:
-        """The cells of a world, for its areas and the widest of those who come."""
+        """The cells of a world, for its areas and those who come."""
         if self._grid is None or self._grid[0] is not world:
             self._grid = (world, grid_of(world, for_all([one.biped for one in self.mix.characters]), self.gates.polygons))
         return self._grid[1]
