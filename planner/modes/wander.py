@@ -110,6 +110,12 @@ def _no_errands(characters: int) -> Errands:
     return Errands(np.zeros((characters, 2)), np.zeros(characters, np.int64), np.zeros((0, 1, 1), np.float32), np.ones(1))
 
 
+def _most_steps(situation: Situation, far: np.ndarray) -> np.ndarray:
+    """(C,) after how many steps those give up who have so far to go (C,) [m]."""
+    strides = np.array([float(one.biped.gait.preferred_step) for one in situation.characters])
+    return (DETOURS * far / strides).astype(np.int64) + SPARE
+
+
 _PLANNING = Compiled(_next_step, _no_errands(1))
 
 
@@ -142,21 +148,13 @@ class Wander:
         if same and not before.steps.any():
             return errands
         fields, cell, _ = fields_to(world, for_all([one.biped for one in situation.characters]), errands.goal[:1])
-        errands, middles = (
-            errands._replace(fields=fields, cell=np.array([cell])),
-            situation.feet.position[:, :, :2].mean(axis=1),
-        )
-        led = np.ones(len(middles), np.bool_)
-        if len(fields):
-            led = np.isfinite(ways_from(fields, cell, np.zeros(len(middles), np.int64), middles))
-        if same:
-            return errands._replace(steps=np.where(led, before.steps, 0))
-        if not led.any():
+        middles = situation.feet.position[:, :, :2].mean(axis=1)
+        led = np.isfinite(ways_from(fields, cell, np.zeros(len(middles), np.int64), middles)) if len(fields) else np.True_
+        if not same and not np.any(led):
             (x, y), names = errands.goal[0].tolist(), " or ".join(sorted({one.name for one in situation.characters}))
             raise NoWay(f"{world.name}: no way for the {names} leads to a goal at ({x:.2f}, {y:.2f}): {BARS}")
-        far = np.hypot(*(errands.goal - middles).T)
-        strides = np.array([float(one.biped.gait.preferred_step) for one in situation.characters])
-        return errands._replace(steps=np.where(led, (DETOURS * far / strides).astype(np.int64) + SPARE, 0))
+        most = before.steps if same else _most_steps(situation, np.hypot(*(errands.goal - middles).T))
+        return errands._replace(fields=fields, cell=np.array([cell]), steps=np.where(led, most, 0))
 
     def check_plans(self, plans: Errands, characters: int) -> None:
         """Whether plans from a file are errands. Raises ValueError."""
