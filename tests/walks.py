@@ -30,7 +30,7 @@ def straight_walk(biped, count=14, stride=1.0, turn=0.0):
 def solved(biped, footprints):
     """The curve over them, from the second contact to the last."""
     contact = footprints.contact_time
-    problem, support = laying.build_problem(biped, footprints, contact[1], contact[-1], Layout(5, False, False, False))
+    problem, support = laying.build_problem(biped, footprints, contact[1], contact[-1], Layout(5, False, False, False, 0.0))
     control = np.zeros((len(problem.time), 6))
     straight_guess(problem, control, 0)
     newton.minimise(problem, control, newton.SCENE)

@@ -21,8 +21,6 @@ from motion.track.pieces import BRIEF, flies, flown, in_pieces
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
 from worlds.compiled.tables import newest
 
-JERK_WEIGHT = 1e-7
-"""Of |jerk|^2 [s^3/m]: less lets forces flutter, more rounds them off."""
 STRENGTH = 3.2
 """Forces beyond so many body weights cost."""
 LOOK_BACK = 6
@@ -178,7 +176,7 @@ def build_problem(
     leg, smooth = biped.leg, layout.smooth
     problem = problems.empty_problem(
         m, layout.samples, leg.nominal_length, FULL_REACH * leg.max_length, leg.comfort_weight, smooth,
-        STRENGTH * GRAVITY if smooth else np.inf, JERK_WEIGHT if smooth else 0.0,
+        STRENGTH * GRAVITY if smooth else np.inf, layout.jerk_weight,
     )  # fmt: skip
     if smooth:
         _lay_shares(problem, cut.share)

@@ -30,7 +30,8 @@ class Layout(NamedTuple):
     samples: int  # of the costs in each segment
     by_step: bool  # a segment per step, as in the paper; else by phases of support
     smooth: bool  # several segments to a phase, and no jump of the acceleration between segments; else one
-    steady: bool  # and so many that the curve moves by no jump where timing is changed little by little
+    steady: bool  # and so many, whatever the times, that the curve moves by no jump where timing is changed little by little
+    jerk_weight: float  # of |jerk|^2 [s^3/m]: less lets forces flutter, more rounds them off
 
 
 class Problem(NamedTuple):
@@ -256,8 +257,7 @@ def total_costs(problem: Problem, control: np.ndarray, eps: float) -> tuple[floa
         smooth, true = smooth + pulled, true + pulled
     for i in range(0, len(problem.time) - 1, LANES):
         smooth_part, true_part = costs_from(problem, control, i, eps)
-        smooth += smooth_part
-        true += true_part
+        smooth, true = smooth + smooth_part, true + true_part
     return smooth, true
 
 

@@ -19,13 +19,12 @@ from motion.track.curve import Curve, end_acceleration, evaluate, segment_at, up
 from motion.track.footprints import Footprints
 from worlds.compiled.jit import jit, jit_borrowing, stack_array
 
-LIVE = Layout(3, False, True, False)
-"""Of the live window: the residual is nearly linear in a piece, three samples find it."""
-SCENE = Layout(5, False, True, False)
-"""Of tracks that are solved as a whole."""
-STEADY = Layout(3, False, True, True)
-"""Of tracks whose timing is shaped by hand: more pieces, and the curve follows the timing without a jump."""
-LAYOUTS = {"smooth": SCENE, "steady": STEADY, "phase": Layout(10, False, False, False), "step": Layout(10, True, False, False)}
+LIVE = Layout(3, False, True, False, 1e-7)
+"""Of the live window, whose timing stays: the residual is nearly linear in a piece, three samples find it."""
+SCENE = Layout(3, False, True, True, 3e-6)
+"""Of tracks that are solved as a whole: more pieces, so that the curve follows a timing that is dragged without a jump."""
+PHASE, STEP = Layout(10, False, False, False, 0.0), Layout(10, True, False, False, 0.0)
+LAYOUTS = {"smooth": SCENE, "phase": PHASE, "step": STEP}
 """By name: several segments to a phase, with continuous forces; one to a phase; one to a step, as in the paper."""
 ANCHOR_STIFFNESS = (10.0, 1.0)
 """Of the window's end, position [1/s/m] and velocity [s/m]: more steadies the end, and insists on a foreseen state."""

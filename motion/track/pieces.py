@@ -15,6 +15,7 @@ from motion.characters.dimensions import Dimensions
 from motion.track import phases
 from motion.track.footprints import Footprints, rise
 from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.tables import newest
 
 SINGLE = 3
 """Pieces of a single stance: its force can rise, hold or dip, and fall."""
@@ -27,6 +28,8 @@ ROCKY, STEEP, GIVES = 0.6, 0.12, 0.35
 their length or more, GIVES is the most everywhere."""
 SWITCH = 0.005
 """Time [s] in which the force changes, at least, from one leg to another that takes over at once or nearly so."""
+SPLIT = 0.01
+"""Shorter phases [s] are one piece: pieces of a millisecond are so stiff that a solver takes hundreds of iterations."""
 FULL_FLIGHT, BRIEF = 0.12, 0.3
 """From this time [s] on a flight changes all that it does beside it; one half as long counts this share: as costs are norms, a
 flight is ballistic or not, and with less weight it comes to be so more slowly as it grows."""
@@ -84,33 +87,70 @@ def _switch(time: np.ndarray, support: np.ndarray, i: int) -> float:
 @jit_borrowing
 def flown(time: np.ndarray, support: np.ndarray, i: int, steady: bool) -> float:
     """How much of a flight phase i is, 0 to 1; steady: a brief one is less of it, so that none begins with a jump."""
-    whole = 1.0 if flies(support, i) else 0.0
-    return min((time[i + 1] - time[i]) / FULL_FLIGHT, 1.0) if steady and whole else whole
+    return _flown_for(time[i + 1] - time[i], steady) if flies(support, i) else 0.0
+
+
+@jit_borrowing
+def _flown_for(seconds: float, steady: bool) -> float:
+    if seconds <= phases.SHORTEST_PHASE:
+        return 0.0
+    return min(seconds / FULL_FLIGHT, 1.0) if steady else 1.0
+
+
+@jit_borrowing
+def _flown_beside(footprints: Footprints, time: np.ndarray, support: np.ndarray, i: int, steady: bool) -> float:
+    """The more of a flight of what is before and after phase i, also beyond the first and the last one."""
+    before, after = 0.0, 0.0
+    if i > 0:
+        before = flown(time, support, i - 1, steady)
+    elif not flies(support, 0):
+        n = newest(footprints.contact_time, time[0] - phases.SHORTEST_PHASE)
+        before = _flown_for(time[0] - _left(footprints, n), steady) if n >= 0 else 0.0
+    if i + 1 < len(support):
+        after = flown(time, support, i + 1, steady)
+    elif not flies(support, i):
+        n = newest(footprints.contact_time, time[-1] - phases.SHORTEST_PHASE)
+        last = n + 1 >= len(footprints.side) or footprints.contact_time[n + 1] <= time[-1] + phases.SHORTEST_PHASE
+        after = 0.0 if last else _flown_for(footprints.contact_time[n + 1] - max(_left(footprints, n), time[-1]), steady)
+    return max(before, after)
+
+
+@jit_borrowing
+def _left(footprints: Footprints, n: int) -> float:
+    """When the last foot has left [s] of those that stand up to footprint n."""
+    left = footprints.contact_time[n] + footprints.stance_time[n]
+    return max(left, footprints.contact_time[n - 1] + footprints.stance_time[n - 1]) if n > 0 else left
 
 
 @jit
 def in_pieces(biped: Dimensions, footprints: Footprints, time: np.ndarray, support: np.ndarray, steady: bool) -> Cut:
     """Phases in equal pieces: a single stance in SINGLE, as its force rises and falls; others by their time, a flight in one.
 
-    Beside a flight there are more, and comfort counts less. Steady: their number does not depend on times; where one foot takes
-    over at once, the force may change within SWITCH.
+    Beside a flight there are more, and comfort counts less. Steady: their number depends on times only for the briefest;
+    where one foot takes over at once, the force may change within SWITCH.
     """
     counts = np.ones((len(support), 2), np.int64)
-    total = _count_pieces(biped, time, support, steady, counts)
+    beside = np.empty(len(support))
+    for i in range(len(support)):
+        beside[i] = _flown_beside(footprints, time, support, i, steady)
+    total = _count_pieces(biped, Cut(time, support, beside), steady, counts)
     cut = Cut(np.empty(total + 1), np.empty((total, 2), np.int64), np.ones(total))
-    _lay_pieces(biped, footprints, Cut(time, support, cut.share), steady, counts, cut)
+    _lay_pieces(biped, footprints, Cut(time, support, beside), steady, counts, cut)
     return cut
 
 
 @jit_borrowing
-def _count_pieces(biped: Dimensions, time: np.ndarray, support: np.ndarray, steady: bool, counts: np.ndarray) -> int:
+def _count_pieces(biped: Dimensions, whole: Cut, steady: bool, counts: np.ndarray) -> int:
     """Fills counts (m, 2) of ones: equal pieces of each phase, and whether one of SWITCH follows them. Returns their sum."""
     unit, total = PIECE * pendulum_time(biped.leg.nominal_length), 0
+    time, support, beside = whole
     for i in range(len(support)):
         pieces = int(round((time[i + 1] - time[i]) / unit))
-        if steady and not flies(support, i):
+        if steady and time[i + 1] - time[i] < SPLIT:
+            counts[i, 0] = 1
+        elif steady and not flies(support, i):
             counts[i, 0] = SINGLE if min(support[i, 0], support[i, 1]) >= 0 else 2 * SINGLE
-        elif flies(support, i - 1) or flies(support, i + 1):
+        elif beside[i] > 0:
             counts[i, 0] = min(max(2 * pieces, SINGLE), 2 * SINGLE)
         elif phases.phase_of(support[i, 0], support[i, 1]) == phases.DOUBLE_STANCE:
             counts[i, 0] = min(max(pieces, 1), SINGLE)
@@ -123,12 +163,11 @@ def _count_pieces(biped: Dimensions, time: np.ndarray, support: np.ndarray, stea
 
 @jit_borrowing
 def _lay_pieces(biped: Dimensions, footprints: Footprints, whole: Cut, steady: bool, counts: np.ndarray, cut: Cut) -> None:
-    """Fills cut with the pieces of whole phases."""
+    """Fills cut with the pieces of whole phases, of which `share` tells how much of a flight is beside them."""
     time, support, n = whole.time, whole.support, 0
     for i in range(len(support)):
         count = counts[i, 0]
         single = count >= SINGLE and min(support[i, 0], support[i, 1]) < 0
-        beside = max(flown(time, support, i - 1, steady), flown(time, support, i + 1, steady))
         rocky, steep = _on_rock(footprints, support, i), _steep(biped, footprints, support, i)
         for k in range(count + counts[i, 1]):
             cut.time[n] = (
@@ -136,7 +175,7 @@ def _lay_pieces(biped: Dimensions, footprints: Footprints, whole: Cut, steady: b
             )
             cut.support[n, 0], cut.support[n, 1] = support[i, 0], support[i, 1]
             middle = single and count <= SINGLE * k < 2 * count
-            cut.share[n] = _share(beside, rocky, middle, steep)
+            cut.share[n] = _share(whole.share[i], rocky, middle, steep)
             n += 1
     cut.time[n] = time[-1]
 

@@ -22,6 +22,11 @@ def _listed(value: Any) -> Any:
     return [value] if isinstance(value, dict) else value
 
 
+def _laid_as(value: Any) -> Any:
+    """Files before 0.11 called "steady" what is "smooth" now."""
+    return "smooth" if value == "steady" else value
+
+
 class Track(Part):
     """Who walks, on what. The first two footprints are stood on; single ones and paths follow each other as `after` says."""
 
@@ -30,7 +35,7 @@ class Track(Part):
     stand_before: Pause = 0.4
     stand_after: Pause = 0.6
     support: Literal["roll", "middle", "toe"] = "roll"  # where a standing foot presses: heel to toe, or the paper's either-or
-    segments: Literal["smooth", "steady", "phase", "step"] = "smooth"  # of the com's curve (motion.com.window: LAYOUTS)
+    segments: Annotated[Literal["smooth", "phase", "step"], BeforeValidator(_laid_as)] = "smooth"  # window.LAYOUTS
     footprint: Annotated[tuple[Footprint, ...], Field(max_length=MOST_PRINTS)] = ()
     path: Annotated[tuple[Path, ...], BeforeValidator(_listed), Field(max_length=100)] = ()
     style: Style = Style()

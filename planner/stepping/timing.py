@@ -28,6 +28,8 @@ BREAKS_INTO, FAST_WALK = 0.72, 0.45
 """Share of its speed from which one breaks into a run; Froude number of the fastest walk till then."""
 SLOWS_TO = 0.62
 """Share of its speed to which a run, or a leap, slows down within a step."""
+BRISK_WALK = 0.3
+"""Froude number of the fastest walk that slows down to any pace within a step; from there to the run it may the less."""
 RUNNERS_LEAP = 1.45
 """Who runs leaps only beyond so many leap lengths."""
 CLIMB, DESCENT, BRISK = 2.8, 2.8, 1.1
@@ -196,8 +198,9 @@ def _time(biped: Dimensions, length: float, rise: float, longest: float, before:
     v = pace_of(biped, level)
     if before < BREAKS_INTO * v:  # too slow to break into a run: a fast walk
         v = min(v, max(sqrt(FAST_WALK * GRAVITY * law.hip_height), before / BREAKS_INTO))
-    if RUNS_FROM * GRAVITY * law.hip_height < before * before < inf:  # too fast to walk at once
-        v = max(v, SLOWS_TO * before)
+    if before < inf:  # too fast to walk at once
+        brisk, run = sqrt(BRISK_WALK * GRAVITY * law.hip_height), sqrt(RUNS_FROM * GRAVITY * law.hip_height)
+        v = max(v, SLOWS_TO * before * min(max((before - brisk) / (run - brisk), 0.0), 1.0))
     return min(max(level / v, SHORTEST_STEP * unit), longest * unit)
 
 

@@ -41,7 +41,7 @@ class Document:
 
 def new_document() -> Document:
     """An empty scene on flat ground, for one human."""
-    return Document(Sheet(format=1, name="A scene", world=WorldTable(size=SIZE)), (Track(segments="steady"),))
+    return Document(Sheet(format=1, name="A scene", world=WorldTable(size=SIZE)), (Track(),))
 
 
 def document_of(sheet: Sheet) -> Document:

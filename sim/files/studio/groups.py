@@ -97,7 +97,7 @@ class AddTrack:
     name = "Add a character"
 
     def apply(self, document: Document) -> Document:
-        return Document(document.head, (*document.tracks, Track(character=self.character, segments="steady")))
+        return Document(document.head, (*document.tracks, Track(character=self.character)))
 
 
 @dataclass(frozen=True)

@@ -168,7 +168,7 @@ def test_long_tracks_grow_no_worse_than_their_problems():
     b = load_character("human").biped
     costs = []
     for n in (500, 1000):
-        problem, _ = laying.build_problem(b, straight_walk(b, n), 0.0, (n - 1) * 0.5, Layout(5, False, False, False))
+        problem, _ = laying.build_problem(b, straight_walk(b, n), 0.0, (n - 1) * 0.5, Layout(5, False, False, False, 0.0))
         control = np.zeros((len(problem.time), 6))
         straight_guess(problem, control, 0)
         e, used = newton.minimise(problem, control, newton.LIVE)

@@ -23,7 +23,7 @@ def windows():
 def test_laying_asks_the_foot_and_the_heading(windows, by_step):
     for one in windows[::16]:
         b, footprints, end = one.biped, one.footprints, window.window_end(one.footprints)
-        problem, _ = laying.build_problem(b, footprints, one.committed.time[-1], end, Layout(5, by_step, False, False))
+        problem, _ = laying.build_problem(b, footprints, one.committed.time[-1], end, Layout(5, by_step, False, False, 0.0))
         for i, j in np.ndindex(len(problem.time) - 1, len(problem.standing)):
             t = problem.time[i] + (j + 0.5) / 5 * (problem.time[i + 1] - problem.time[i])
             support = phases.support_at(footprints, 0, t)

@@ -69,7 +69,7 @@ def test_no_joint_changes_its_velocity_at_once(name):
 @pytest.mark.parametrize("name", scene_names())
 def test_physics_is_kept(name):
     r = report(name)
-    assert r["flight_residual"] <= 0.3
+    assert r["flight_residual"] <= 0.04 * GRAVITY
     assert r["physics_cost"]["all"]["mean"] <= (0.045 if name in FAST else 0.02) * GRAVITY
 
 

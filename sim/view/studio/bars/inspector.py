@@ -24,8 +24,8 @@ LIMITS = {
 }  # fmt: skip
 """Of what a style or a stretch may be, where it is not 0 to 3."""
 
-CURVES = {"smooth": "smooth", "steady": "steady, for the hand", "phase": "a cubic per phase", "step": "a cubic per step"}
-"""A track's `segments` in words: steady ones follow a time that is dragged without a jump."""
+CURVES = {"smooth": "smooth", "phase": "a cubic per phase", "step": "a cubic per step"}
+"""A track's `segments` in words."""
 
 
 class Inspector:
