@@ -14,7 +14,7 @@ from motion.track import foot
 from motion.track.curve import Track, position_at
 from motion.track.footprints import Footprints
 from motion.track.heading import body_heading
-from motion.track.leg import BENT, FREE_ENDS, OPENS, landing_reach, leaving_reach, swing_length
+from motion.track.leg import BENT, FREE_ENDS, OPENS, Lengths, landing_reach, leaving_reach, shortest_over, swing_length
 from motion.track.pelvis import pelvis_at
 from motion.track.tilt import tilt_of, tilted
 from worlds.compiled.jit import jit_borrowing, jit_inline, stack_array
@@ -139,19 +139,17 @@ def _stood(biped: Dimensions, track: Track, swings: tuple[int, int], leg: int, t
 
 
 @jit_inline
-def _keep_in_reach(
-    biped: Dimensions, hip: Triple, s: float, kept: tuple[float, float], end: float, pose: Pose, c: int, leg: int
-) -> None:
+def _keep_in_reach(lengths: Lengths, hip: Triple, s: float, kept: tuple[float, float], pose: Pose, c: int, leg: int) -> None:
     """Draws a swinging foot along the line to its hip, so that its leg is never longer or more bent than it can be."""
     ankle = pose.ankle[c, leg]
     x, y, z = ankle[0] - hip[0], ankle[1] - hip[1], ankle[2] - hip[2]
     length = max(np.sqrt(x * x + y * y + z * z), 1e-6)
-    _move(pose, c, leg, swing_length(biped, length, s, kept, end) / length - 1, (x, y, z))
+    _move(pose, c, leg, swing_length(lengths, length, s, kept) / length - 1, (x, y, z))
 
 
 @jit_inline
 def _tilt(biped: Dimensions, footprints: Footprints, n: int, u: float, hip: Triple, pose: Pose, c: int, leg: int) -> None:
-    """Tilts a standing foot whose leg would be too long: about its heel while it comes down, then about its ball."""
+    """Tilts a foot whose leg would be too long, standing or nearly: about its heel while it comes down, then about its ball."""
     pitch, full = foot.strike_pitch(footprints, n, u), biped.leg.max_length
     if pitch < 0:  # it comes down about its ball
         return
@@ -168,13 +166,14 @@ def _tilt(biped: Dimensions, footprints: Footprints, n: int, u: float, hip: Trip
 
 
 @jit_inline
-def _keep_below(biped: Dimensions, hip: Triple, s: float, pose: Pose, c: int, leg: int) -> None:
-    """Lowers a foot that swings past its hip, so that the leg hangs: by l (1 - (h / UNDER_HIP l)^2) at a distance h aside.
+def _keep_below(shortest: float, hip: Triple, s: float, pose: Pose, c: int, leg: int) -> None:
+    """Lowers a foot that swings past its hip, so that the leg hangs: by l (1 - (h / UNDER_HIP l)^2) at a distance h aside,
+    l the shortest leg [m].
 
     Who steps down from a height sinks to the foot that it left there: drawn along the leg alone, that foot would go over the
     hip, and the knee turn over within a frame. It brushes the edge instead.
     """
-    shortest, ankle = biped.leg.min_length, pose.ankle[c, leg]
+    ankle = pose.ankle[c, leg]
     x, y = ankle[0] - hip[0], ankle[1] - hip[1]
     lack = shortest * (1 - (x * x + y * y) / (UNDER_HIP * shortest) ** 2) - (hip[2] - ankle[2])
     soft = (BENT - 1) * shortest
@@ -195,9 +194,12 @@ def _swing(biped: Dimensions, track: Track, leg: int, yaw: float, t: float, pose
     s, toes = _fly(biped, footprints, last, following, t, pose, c, leg)
     hip = (pose.hip[c, leg, 0], pose.hip[c, leg, 1], pose.hip[c, leg, 2])
     _carry(biped, hip, yaw, swing.swing_time(footprints, last, following), s, pose, c, leg)
-    _keep_below(biped, hip, s, pose, c, leg)
-    end = _stood(biped, track, (last, following), leg, t)
-    _keep_in_reach(biped, hip, s, _kept_back(biped, footprints, last, following), end, pose, c, leg)
+    shortest = shortest_over(biped, hip[2] - footprints.position[following - 1, 2] - biped.foot.ankle_height)
+    _keep_below(shortest, hip, s, pose, c, leg)
+    lengths = Lengths(biped.leg.max_length, shortest, _stood(biped, track, (last, following), leg, t))
+    _keep_in_reach(lengths, hip, s, _kept_back(biped, footprints, last, following), pose, c, leg)
+    near, u = (last, 1.0) if s < 0.5 else (following, 0.0)
+    _tilt(biped, footprints, near, u, hip, pose, c, leg)  # as it does where it stands: else it would jump there
     return toes
 
 

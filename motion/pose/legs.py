@@ -16,6 +16,8 @@ SOFT_FROM = 0.992
 """Share of full extension from which on the knee resists: without this its angle changes ever faster and pops."""
 STRAIGHT, FOLDED = 0.985, 0.3
 """Shares of shank and metatarsus that the knee of a leg of three links may be from its ankle, at most and at least."""
+SUDDEN = 1.3
+"""A triangle that opens does so like a square root, at once: up to this angle [rad] between thigh and leg it begins gently."""
 GRADUAL = 0.1
 """How gradually a thigh gives way to a leg that gets long [rad]."""
 
@@ -91,9 +93,16 @@ def _knee_of_three(biped: Dimensions, hip: Triple, ankle: Triple, forward: Tripl
     p = _pole(u, forward)
     wished = leg.femur + (1 - leg.femur_swing) * atan2(-p[2], -u[2])
     most = _thigh_angle(leg.thigh, d, STRAIGHT * (leg.shank + leg.metatarsus))
-    least = _thigh_angle(leg.thigh, d, FOLDED * (leg.shank + leg.metatarsus))
+    least = _gently(_thigh_angle(leg.thigh, d, FOLDED * (leg.shank + leg.metatarsus)))
     angle = least + _above_zero(most - _above_zero(most - wished) - least)
     return _along(hip, leg.thigh, _between(u, p, cos(angle), sin(angle)))
+
+
+@jit_inline
+def _gently(angle: float) -> float:
+    """An angle, its own from SUDDEN on; below, with x = angle / SUDDEN, SUDDEN x^4 (2.5 - 1.5 x^2), smooth in x^2 at both."""
+    square = (angle / SUDDEN) ** 2
+    return SUDDEN * square * square * (2.5 - 1.5 * square) if square < 1 else angle
 
 
 @jit_inline

@@ -2,9 +2,10 @@
 (section 2.4)."""
 
 from math import exp
+from typing import NamedTuple
 
 from motion.arithmetic.gravity import GRAVITY
-from motion.arithmetic.smooth import fade, smoothstep
+from motion.arithmetic.smooth import fade, mix, smoothstep
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import Footprints, rise, step_length
 from worlds.compiled.jit import jit_borrowing
@@ -22,11 +23,22 @@ YIELDS = 0.45
 """How much less than its full length a runner's leg is let come to, in what it may reach less: straight knees pop."""
 BENT = 1.25
 """Length of a swinging leg, in shortest ones, from which on it resists to be bent more."""
+FOLDED, CROUCHED, UPRIGHT = 0.65, 0.9, 2.5
+"""Share of its shortest length to which a swinging leg is bent where the hips are low over the ground, as after a leap; their
+heights, in shortest legs, up to which that is so, and from which on no more than to the whole."""
 FREE_ENDS = 0.25
 """Share of the swing, at either end, over which the first gives way to the second: as far as a standing leg may reach."""
 OPEN, OPENS, JUST = 0.0012, 0.12, 2e-4
 """So much more of its length is free at the very ends, and in which share of the swing; or just as much as the leg that stood,
 or will stand, is longer than it should be: the foot goes on from where it stood."""
+
+
+class Lengths(NamedTuple):
+    """Of a leg that swings [m]."""
+
+    full: float
+    shortest: float  # at which it is not bent more
+    end: float  # of the leg that stands at the near end of the swing; 0 where that is not known
 
 
 @jit_borrowing
@@ -87,10 +99,19 @@ def _limited(length: float, free: float, full: float) -> float:
 
 
 @jit_borrowing
-def swing_length(biped: Dimensions, length: float, s: float, kept: tuple[float, float], end: float) -> float:
-    """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent; end:
-    that of the leg that stands at the near end of the swing."""
-    full, shortest = biped.leg.max_length, biped.leg.min_length
+def shortest_over(biped: Dimensions, height: float) -> float:
+    """Length [m] below which a swinging leg is not bent where its hip is so high [m] above an ankle that stands on the ground.
+
+    That is min_length, but less in a crouch: who lands low would push the foot that swings into the ground.
+    """
+    upright = smoothstep((height / biped.leg.min_length - CROUCHED) / (UPRIGHT - CROUCHED))
+    return biped.leg.min_length * mix(FOLDED, 1.0, upright)
+
+
+@jit_borrowing
+def swing_length(lengths: Lengths, length: float, s: float, kept: tuple[float, float]) -> float:
+    """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent."""
+    full, shortest, end = lengths
     calm = 1 - fade(min(s, 1 - s), FREE_ENDS)
     bent = BENT * shortest
     if length < bent:

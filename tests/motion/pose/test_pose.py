@@ -119,3 +119,50 @@ def test_a_foot_left_on_a_height_is_swung_under_the_hip(name):
         s, aside = (t - begin) / (end - begin), np.hypot(*(pose.ankle - pose.hip)[0, side, :2])
         if 0.3 < s < 0.7 and aside < 0.5 * b.leg.min_length:
             assert pose.ankle[0, side, 2] < pose.hip[0, side, 2] - 0.7 * b.leg.min_length
+
+
+def moved(track, height):
+    """The track of a body that is `height` [m] higher."""
+    control = track.curve.control.copy()
+    control[:, 2] += height
+    return Track(track.footprints, track.curve._replace(control=control))
+
+
+@pytest.mark.parametrize("name", character_names())
+@pytest.mark.parametrize("height", [0.95, 1.2, 1.5])
+def test_who_goes_low_does_not_push_a_swinging_foot_into_the_ground(name, height):
+    b, pose = load_character(name).biped, empty_pose(1)
+    footprints = straight_walk(b)
+    track = Track(footprints, solved(b, footprints))
+    hips = b.foot.ankle_height + height * b.leg.min_length
+    low = moved(track, hips - b.leg.hip_up - track.curve.control[:, 2].max())
+    for t in np.arange(footprints.contact_time[5], footprints.contact_time[8], 1 / 120):
+        pose_into(b, low, t, pose)
+        assert min(pose.heel[..., 2].min(), pose.ball[..., 2].min(), pose.toe[..., 2].min()) > -3e-3
+
+
+@pytest.mark.parametrize("name", character_names())
+def test_no_foot_jumps_where_its_leg_is_too_long_for_its_landing(name):
+    b, pose, after, strike = load_character(name).biped, empty_pose(1), empty_pose(1), 0.3
+    footprints = straight_walk(b)
+    footprints.strike[:] = strike
+    track = Track(footprints, solved(b, footprints))
+    pose_into(b, track, footprints.contact_time[7], pose)
+    way = (pose.hip - pose.ankle)[0, footprints.side[7]]
+    long = moved(track, np.sqrt((1.02 * b.leg.max_length) ** 2 - way[0] ** 2 - way[1] ** 2) - way[2])
+    pose_into(b, long, footprints.contact_time[7] - 1e-6, pose)
+    pose_into(b, long, footprints.contact_time[7] + 1e-6, after)
+    for joint, then in ((pose.knee, after.knee), (pose.hock, after.hock), (pose.ankle, after.ankle), (pose.toe, after.toe)):
+        assert np.abs(joint - then).max() < 1e-4
+    foot_up = np.arcsin((after.toe - after.heel)[0, footprints.side[7], 2] / b.foot.length)
+    assert foot_up > strike + 0.01, "and it does tilt"
+
+
+@pytest.mark.parametrize("name", [name for name in character_names() if load_character(name).biped.leg.metatarsus])
+def test_no_knee_is_kicked_where_a_leg_of_three_links_opens(name):
+    b = load_character(name).biped
+    far, knees = b.leg.thigh + legs.FOLDED * (b.leg.shank + b.leg.metatarsus), []
+    for d in np.linspace(0.9 * far, 1.1 * far, 401):  # ahead of the hip, where the thigh is drawn to the leg
+        knees.append(legs.joints(b, (0.0, 0.0, 1.0), (d, 0.0, 1.0), (1.0, 0.0, 0.0))[0])
+    speed = np.diff(knees, axis=0) / (0.0005 * far)
+    assert np.linalg.norm(np.diff(speed, axis=0), axis=1).max() < 0.1
