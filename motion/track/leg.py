@@ -23,7 +23,7 @@ YIELDS = 0.45
 """How much less than its full length a runner's leg is let come to, in what it may reach less: straight knees pop."""
 BENT = 1.25
 """Length of a swinging leg, in shortest ones, from which on it resists to be bent more."""
-FOLDED, CROUCHED, UPRIGHT = 0.65, 0.9, 2.5
+FOLDED, CROUCHED, UPRIGHT = 0.56, 0.6, 2.5
 """Share of its shortest length to which a swinging leg is bent where the hips are low over the ground, as after a leap; their
 heights, in shortest legs, up to which that is so, and from which on no more than to the whole."""
 FREE_ENDS = 0.25
