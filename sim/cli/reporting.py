@@ -14,7 +14,7 @@ from sim.reports import literature, measured, timings
 from sim.reports import verify as verifying
 from sim.reports.cycles import people_of
 from sim.reports.measure import measure
-from sim.reports.throngs import ablation
+from sim.reports.throngs import ablation, weighing
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
 from worlds.errors.wording import nearest
@@ -86,6 +86,8 @@ def verified(options: Any) -> None:
         found.append(row)
         if not options.json:
             print(verifying.in_words(row), flush=True)
+    if album and not options.quick and options.case is None:
+        album.weigh(weighing.weighed(weights))
     for path in album.draw() if album else []:
         tell(f"wrote {path.resolve()}")
     fits = sum(row.fits for row in found)
@@ -131,7 +133,7 @@ def _album(wanted: str | None) -> Any:
     if folder is None:
         return None
     _plots()
-    from sim.reports.crowd_plots import Album
+    from sim.reports.pictures.album import Album
 
     return Album(folder)
 
