@@ -93,11 +93,11 @@ def longest(biped: Dimensions, slant: float) -> float:
 
 
 @jit_borrowing
-def bearing_of(biped: Dimensions, walker: Walker, k: int) -> Bearing:
-    """Direction k. The foot turns into it, if it is before one or that turns to the course, too."""
-    direction, most = walker.course + DIRECTIONS[k], biped.reach.max_turn
+def bearing_of(biped: Dimensions, walker: Walker, aside: float) -> Bearing:
+    """A direction so far off the course [rad]. The foot turns into it, if it is before one or that turns to the course, too."""
+    direction, most = walker.course + aside, biped.reach.max_turn
     off = wrapped(direction - walker.heading)
-    back = off * wrapped(walker.course - walker.heading) > 0 and abs(DIRECTIONS[k]) < TURNS_TO
+    back = off * wrapped(walker.course - walker.heading) > 0 and abs(aside) < TURNS_TO
     turned = min(max(off, -most), most) if abs(off) < TURNS_TO or back else 0.0
     heading, far = walker.heading + turned, longest(biped, off - turned) * (1 - 0.4 * (turned / most) ** 2)
     aside_x, aside_y = beside(biped, walker.side, (0.0, 0.0), heading)

@@ -153,7 +153,7 @@ def _lay(round: Round, walker: Walker, right: float, wished: Candidate, scratch:
     biped = round.bipeds[round.kind[walker.c]]
     most, least = QUICK * pendulum_time(biped.timing.hip_height), LEAST * biped.gait.preferred_step
     for k in range(STAND):
-        to = bearing_of(biped, walker, k)
+        to = bearing_of(biped, walker, DIRECTIONS[k])
         speed = _speed_in(round, walker, others, to.ahead_x, to.ahead_y)
         enough = min(speed * most, to.longest)
         length[k] = min(enough, max(_room_in(walker, others, to, enough), least))
@@ -204,9 +204,8 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
 
     left: of where I should pass (Passage).
     """
-    others, cost = np.empty(len(near), NEIGHBOUR), np.empty(WISH + 1)
-    scratch, c = Scratch(others, cost, np.empty(WISH + 1, np.bool_), np.empty(STAND), np.empty(WISH + 1, CANDIDATE)), walker.c
-    length = scratch.length
+    c, others, cost, length = walker.c, np.empty(len(near), NEIGHBOUR), np.empty(WISH + 1), np.empty(STAND)
+    scratch = Scratch(others, cost, np.empty(WISH + 1, np.bool_), length, np.empty(WISH + 1, CANDIDATE))
     biped, aim = round.bipeds[round.kind[c]], (round.intents.aim[c, 0], round.intents.aim[c, 1])
     least, claimed = LEAST * biped.gait.preferred_step, False
     see(round.reservations, walker, aim, float(walker.hindered), near, others)
@@ -231,4 +230,5 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
         cost[k] = inf
         if k < STAND and length[k] * SHORTER_BY >= least:
             length[k] *= SHORTER_BY
-            _put(round, walker, right, k, candidate(biped, walker, bearing_of(biped, walker, k), length[k]), scratch)
+            to = bearing_of(biped, walker, DIRECTIONS[k])
+            _put(round, walker, right, k, candidate(biped, walker, to, length[k]), scratch)

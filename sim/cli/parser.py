@@ -149,11 +149,10 @@ def _add_reports(commands: argparse._SubParsersAction) -> None:
     verify.add_argument("--quick", action="store_true", help="few cases")
     verify.add_argument("--case", type=values.index, metavar="N", help="only test N of the RiMEA guideline")
     verify.add_argument("--without", metavar="TERM", help="leave a term of the steps' costs out, such as touch")
+    verify.add_argument("--model", default="steps", help="how people choose among others: steps, or orca")
     verify.add_argument("--ablation", action="store_true", help="only the table of what each term of the costs pays")
     verify.add_argument("--trajectories", metavar="FOLDER", help="write where everyone went, as PedPy reads it")
-    verify.add_argument(
-        "--pictures", metavar="FOLDER", help="draw speeds, flows, lanes, where it is dense, and what weights do"
-    )
+    verify.add_argument("--pictures", metavar="FOLDER", help="draw speeds, flows, lanes, density, and what weights do")
     trials = commands.add_parser("trials", help="drive characters about levels by keys of chance; measure what may go wrong")
     trials.add_argument("levels", nargs="*", metavar="LEVEL", help="levels that ship, or .toml files; by default all that ship")
     trials.add_argument("--character", help="bird, dinosaur, human, ostrich, or a .toml file; by default all that ship")

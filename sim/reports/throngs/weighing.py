@@ -156,7 +156,7 @@ def weighed(weights: Weights = PEOPLE) -> Iterator[Weighed]:
     """Weight by weight, as they come."""
     for name, scene in SCENES.items():
         values = [times * getattr(weights, name) for times in TIMES]
-        found = [scene.run(weights._replace(**{name: value})) for value in values]
+        found = [scene.run(weights.of(name, value)) for value in values]
         told = [scene.figure(flow) for flow in found]
         words = [scene.words.format(one) if np.isfinite(one) else "not all come through" for one in told]
         yield Weighed(name, scene.more, values, found, told, words, scene.box, scene.drawn, scene.moment)

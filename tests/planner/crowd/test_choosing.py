@@ -93,3 +93,8 @@ def test_a_bound_on_the_speed_leaves_the_least_as_it_is(px, py, vx, most):
 def test_no_weight_is_negative():
     with pytest.raises(ValueError, match="weights.side: -1"):
         table_of_weights(PEOPLE._replace(side=-1.0), 1)
+
+
+def test_a_model_that_there_is_not_is_refused():
+    with pytest.raises(ValueError, match="there are steps, orca"):
+        table_of_weights(PEOPLE._replace(model="fields"), 1)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from planner.round.weights import PEOPLE, Weights
+from planner.round.weights import NUMBERS, PEOPLE
 from sim.reports.throngs import weighing
 
 SOON = ("progress", "turn", "gap", "touch", "horizon", "near", "distance", "around")
@@ -12,13 +12,13 @@ MORE = {"progress": -1, "turn": -1, "gap": 1, "touch": 1, "horizon": 1, "near": 
 
 
 def test_every_weight_has_a_scene():
-    assert tuple(weighing.SCENES) == Weights._fields
+    assert tuple(weighing.SCENES) == NUMBERS
 
 
 @pytest.mark.parametrize("name", SOON)
 def test_a_figure_goes_one_way(name):
     scene = weighing.SCENES[name]
-    found = [scene.figure(scene.run(PEOPLE._replace(**{name: k * getattr(PEOPLE, name)}))) for k in weighing.TIMES]
+    found = [scene.figure(scene.run(PEOPLE.of(name, k * getattr(PEOPLE, name)))) for k in weighing.TIMES]
     assert np.isfinite(found).all() and (MORE[name] * np.diff(found) >= -1e-3).all()
     assert abs(found[2] - found[0]) > 0.02, "it does something"
 
