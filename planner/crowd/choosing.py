@@ -45,6 +45,7 @@ class Scratch(NamedTuple):
     """Room to work in: of each direction, of standing, of the wish."""
 
     others: Any  # (K,) records of NEIGHBOUR: those near
+    close: Any  # those of them to whom spacing may matter
     cost: np.ndarray  # (WISH + 1,) what it costs, or no more than that
     weighed: np.ndarray  # (WISH + 1,) bool: that is what it costs
     length: np.ndarray  # (STAND,) of the step in each direction [m]; negative: claimed, but not taken
@@ -116,6 +117,29 @@ def _claim(round: Round, walker: Walker, others: Any, x: float, y: float) -> Non
 
 
 @jit_borrowing
+def close_by(round: Round, walker: Walker, others: Any, close: Any) -> int:
+    """Fills in those of the others whom a step in any direction may come to by spacing, as bounds tell; returns how many.
+
+    Whose way crosses mine lies no further aside than both are wide, and along it no further than one goes in the time gap and a
+    step, or than the other goes in a step.
+    """
+    biped, count = round.bipeds[round.kind[walker.c]], 0
+    swing, stride = pendulum_time(biped.timing.hip_height), biped.gait.preferred_step
+    time, fastest = QUICK * swing, max(walker.full, hypot(walker.wish_x, walker.wish_y))
+    goes = max(fastest * (round.weights[round.kind[walker.c]].gap * swing + time), 0.5 * stride)
+    off = hypot(walker.x - walker.rest_x, walker.y - walker.rest_y)  # of my rest beside a step of no length
+    off += hypot(walker.foot_x - walker.rest_x, walker.foot_y - walker.rest_y) + biped.gait.step_width
+    for i in range(len(others)):
+        other = others[i]
+        wide = max(walker.deep, walker.wide) + max(other.deep, other.wide)
+        far = hypot(wide, max(goes + wide, time * hypot(other.vx, other.vy))) + 2 * terms.SURE
+        if hypot(other.x, other.y) < far or hypot(other.rest_x, other.rest_y) < far + 0.5 * off:
+            close[count] = other
+            count += 1
+    return count
+
+
+@jit_borrowing
 def _speed_in(round: Round, walker: Walker, others: Any, dx: float, dy: float) -> float:
     """The speed [m/s] in the direction of a unit vector: the wished one, or what the spacing to those ahead in it allows."""
     biped, weights = round.bipeds[round.kind[walker.c]], round.weights[round.kind[walker.c]]
@@ -149,7 +173,7 @@ def _room_in(walker: Walker, others: Any, to: Bearing, enough: float) -> float:
 @jit_borrowing
 def _lay(round: Round, walker: Walker, right: float, wished: Candidate, scratch: Scratch) -> None:
     """Fills in the steps, and what each direction, standing and the wish cost at least."""
-    others, cost, weighed, length, step = scratch
+    others, cost, length = scratch.close, scratch.cost, scratch.length
     biped = round.bipeds[round.kind[walker.c]]
     most, least = QUICK * pendulum_time(biped.timing.hip_height), LEAST * biped.gait.preferred_step
     for k in range(STAND):
@@ -204,11 +228,13 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
 
     left: of where I should pass (Passage).
     """
-    c, others, cost, length = walker.c, np.empty(len(near), NEIGHBOUR), np.empty(WISH + 1), np.empty(STAND)
-    scratch = Scratch(others, cost, np.empty(WISH + 1, np.bool_), length, np.empty(WISH + 1, CANDIDATE))
+    c, cost, length = walker.c, np.empty(WISH + 1), np.empty(STAND)
+    others, close = np.empty(len(near), NEIGHBOUR), np.empty(len(near), NEIGHBOUR)
     biped, aim = round.bipeds[round.kind[c]], (round.intents.aim[c, 0], round.intents.aim[c, 1])
     least, claimed = LEAST * biped.gait.preferred_step, False
     see(round.reservations, walker, aim, float(walker.hindered), near, others)
+    close = close[: close_by(round, walker, others, close)]
+    scratch = Scratch(others, close, cost, np.empty(WISH + 1, np.bool_), length, np.empty(WISH + 1, CANDIDATE))
     right = max(on_the_right(walker, others, round.reservations.reach), left) if round.weights[round.kind[c]].side > 0 else 0.0
     _lay(round, walker, right, wished, scratch)
     while True:

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from planner.crowd import terms
 from planner.crowd.bodies import extent, way_to_touch
 from planner.crowd.candidates import DIRECTIONS, Candidate
-from planner.crowd.choosing import CANDIDATE, STAND, WISH, Scratch, _cheapest, _lay, cost_of, least_cost
+from planner.crowd.choosing import CANDIDATE, STAND, WISH, Scratch, _cheapest, _lay, close_by, cost_of, least_cost
 from planner.crowd.neighbour import NEIGHBOUR
 from planner.round.weights import PEOPLE, table_of_weights
 from tests.planner.crowd.test_avoiding import around, nothing_held
@@ -40,7 +40,7 @@ def weighed(seed, right):
     """(walker, others, scratch) of one who chooses in a throng, as it wishes to go on straight ahead."""
     me, others = waiting(course=0.3), throng(seed)
     steps = np.empty(WISH + 1, CANDIDATE).view(np.recarray)
-    scratch = Scratch(others, np.empty(WISH + 1), np.empty(WISH + 1, np.bool_), np.empty(STAND), steps)
+    scratch = Scratch(others, others, np.empty(WISH + 1), np.empty(WISH + 1, np.bool_), np.empty(STAND), steps)
     _lay(ROUND, me, right, Candidate(5.5, 5.1, 0.1, 5.5, 5.0, 0.5), scratch)
     return me, others, scratch
 
@@ -88,6 +88,20 @@ def test_a_bound_on_the_speed_leaves_the_least_as_it_is(px, py, vx, most):
     me, one = waiting(), other(3 * px, 3 * py, vx)[0]
     whole = terms.speed_behind(me, one, 1.0, 0.0, 0.4, 0.4)
     assert min(terms.speed_behind(me, one, 1.0, 0.0, 0.4, 0.4, most), most) == min(whole, most)
+
+
+def test_spacing_is_told_by_those_who_are_close_alone():
+    told = 0
+    for seed in range(60):
+        me, others, all = weighed(seed, 0.5)
+        close = np.zeros(len(others), NEIGHBOUR)
+        close = close[: close_by(ROUND, me, others, close)]
+        few = all._replace(close=close, cost=np.empty(WISH + 1), length=np.empty(STAND), step=all.step.copy())
+        _lay(ROUND, me, 0.5, Candidate(5.5, 5.1, 0.1, 5.5, 5.0, 0.5), few)
+        for mine, theirs in ((few.cost, all.cost), (few.length, all.length), (few.step, all.step)):
+            np.testing.assert_array_equal(mine, theirs)
+        told += len(close) < len(others)
+    assert told > 30, "some are told to be too far away"
 
 
 def test_no_weight_is_negative():
