@@ -191,3 +191,10 @@ def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> 
             near[0], near[i] = near[i], near[0]
             return False
     return True
+
+
+@jit_borrowing
+def may_be_taken(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> bool:
+    """Whether a step is one that legs can take, and free of trees, walls, water and others."""
+    biped = round.bipeds[round.kind[walker.c]]
+    return not crosses(biped, walker, step) and is_open(round, walker, step) and is_free(round, walker, near, step)

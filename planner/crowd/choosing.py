@@ -12,9 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
-from planner.crowd import terms
+from planner.crowd import candidates, terms
 from planner.crowd.candidates import DIRECTIONS, QUICK, Bearing, Candidate, bearing_of, candidate, crosses, is_free, is_open
-from planner.crowd.neighbour import NEIGHBOUR, see
+from planner.crowd.neighbour import NEIGHBOUR, close_by, see
 from planner.crowd.sides import on_the_right, wrong_side
 from planner.crowd.walker import Walker
 from planner.round.round import Round
@@ -117,29 +117,6 @@ def _claim(round: Round, walker: Walker, others: Any, x: float, y: float) -> Non
 
 
 @jit_borrowing
-def close_by(round: Round, walker: Walker, others: Any, close: Any) -> int:
-    """Fills in those of the others whom a step in any direction may come to by spacing, as bounds tell; returns how many.
-
-    Whose way crosses mine lies no further aside than both are wide, and along it no further than one goes in the time gap and a
-    step, or than the other goes in a step.
-    """
-    biped, count = round.bipeds[round.kind[walker.c]], 0
-    swing, stride = pendulum_time(biped.timing.hip_height), biped.gait.preferred_step
-    time, fastest = QUICK * swing, max(walker.full, hypot(walker.wish_x, walker.wish_y))
-    goes = max(fastest * (round.weights[round.kind[walker.c]].gap * swing + time), 0.5 * stride)
-    off = hypot(walker.x - walker.rest_x, walker.y - walker.rest_y)  # of my rest beside a step of no length
-    off += hypot(walker.foot_x - walker.rest_x, walker.foot_y - walker.rest_y) + biped.gait.step_width
-    for i in range(len(others)):
-        other = others[i]
-        wide = max(walker.deep, walker.wide) + max(other.deep, other.wide)
-        far = hypot(wide, max(goes + wide, time * hypot(other.vx, other.vy))) + 2 * terms.SURE
-        if hypot(other.x, other.y) < far or hypot(other.rest_x, other.rest_y) < far + 0.5 * off:
-            close[count] = other
-            count += 1
-    return count
-
-
-@jit_borrowing
 def _speed_in(round: Round, walker: Walker, others: Any, dx: float, dy: float) -> float:
     """The speed [m/s] in the direction of a unit vector: the wished one, or what the spacing to those ahead in it allows."""
     biped, weights = round.bipeds[round.kind[walker.c]], round.weights[round.kind[walker.c]]
@@ -222,6 +199,28 @@ def _candidate_in(record: Any) -> Candidate:
     return Candidate(record.x, record.y, record.heading, record.foot_x, record.foot_y, record.time)
 
 
+@jit_borrowing
+def _shorten(round: Round, walker: Walker, right: float, near: np.ndarray, k: int, scratch: Scratch) -> None:
+    """Makes the step of direction k, which may not be taken, as long as may be.
+
+    Each shorter one would have been the cheapest before its turn came: so it costs as much as the dearest of those that were
+    tried on the way. In directions that are never free, which most are where one is left to stand, none of them is weighed.
+    """
+    biped, cost, length = round.bipeds[round.kind[walker.c]], scratch.cost, scratch.length
+    to, dearest, tried = bearing_of(biped, walker, DIRECTIONS[k]), cost[k], length[k]
+    cost[k] = inf
+    while length[k] * SHORTER_BY >= LEAST * biped.gait.preferred_step:
+        length[k] *= SHORTER_BY
+        if candidates.may_be_taken(round, walker, near, candidate(biped, walker, to, length[k])):
+            _put(round, walker, right, k, candidate(biped, walker, to, length[k]), scratch)
+            while tried > length[k]:
+                tried *= SHORTER_BY
+                step = candidate(biped, walker, to, tried)
+                dearest = max(dearest, cost_of(round, walker, scratch.others, right, step, True))
+            cost[k], scratch.weighed[k] = dearest, True
+            return
+
+
 @jit
 def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: np.ndarray) -> Candidate:
     """The cheapest step that is free; its time is 0 where that is to stand, which one may also wish for.
@@ -253,6 +252,9 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
                 _claim(round, walker, others, 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y))
             if (k == WISH or length[k] > 0) and is_free(round, walker, near, step):
                 return step
+        if k < STAND and claimed:
+            _shorten(round, walker, right, near, k, scratch)
+            continue
         cost[k] = inf
         if k < STAND and length[k] * SHORTER_BY >= least:
             length[k] *= SHORTER_BY

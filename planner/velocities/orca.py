@@ -15,7 +15,7 @@ import numpy as np
 from motion.arithmetic.angles import wrapped
 from motion.arithmetic.gravity import pendulum_time
 from motion.characters.dimensions import Dimensions
-from planner.crowd.candidates import QUICK, Candidate, bearing_of, candidate, crosses, is_free, is_open
+from planner.crowd.candidates import QUICK, Candidate, bearing_of, candidate, may_be_taken
 from planner.crowd.choosing import LEAST, SHORTER_BY, STANDING
 from planner.crowd.neighbour import NEIGHBOUR, see
 from planner.crowd.walker import Walker
@@ -58,12 +58,6 @@ def _forbid(walker: Walker, others: Any, mine: Place, times: Place, planes: np.n
 
 
 @jit_borrowing
-def _may_be_taken(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> bool:
-    biped = round.bipeds[round.kind[walker.c]]
-    return not crosses(biped, walker, step) and is_open(round, walker, step) and is_free(round, walker, near, step)
-
-
-@jit_borrowing
 def _step_at(round: Round, biped: Dimensions, walker: Walker, near: np.ndarray, velocity: Place) -> Candidate:
     """The step at a velocity [m/s], or as much of it as is free."""
     speed, least = hypot(velocity[0], velocity[1]), LEAST * biped.gait.preferred_step
@@ -72,7 +66,7 @@ def _step_at(round: Round, biped: Dimensions, walker: Walker, near: np.ndarray, 
     length = max(min(speed * candidate(biped, walker, to, length).time, length), least if speed > STILL else 0.0)
     while length >= least:
         step = candidate(biped, walker, to, length)
-        if _may_be_taken(round, walker, near, step):
+        if may_be_taken(round, walker, near, step):
             return step
         length *= SHORTER_BY
     return STANDING
@@ -91,6 +85,6 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
     times = (HORIZON * swing, QUICK * swing)
     _forbid(walker, others, (myself[0].vx, myself[0].vy), times, planes)
     vx, vy = best(planes, walker.full, wish, np.empty_like(planes))
-    if vx == wish[0] and vy == wish[1] and wished.time > 0 and _may_be_taken(round, walker, near, wished):
+    if vx == wish[0] and vy == wish[1] and wished.time > 0 and may_be_taken(round, walker, near, wished):
         return wished
     return _step_at(round, biped, walker, near, (vx, vy))
