@@ -1,5 +1,6 @@
-"""Going around others: of the steps that conflict with nobody's reservations, the one that costs least."""
+"""Going around others: of the steps that conflict with nobody's reservations, the one that a model chooses."""
 
+from collections.abc import Callable
 from math import cos, hypot, sin
 
 import numpy as np
@@ -7,7 +8,7 @@ import numpy as np
 from motion.arithmetic.angles import wrapped
 from motion.track.footprints import step_onto
 from planner.crowd.candidates import QUICK, Candidate, candidate_to
-from planner.crowd.choosing import STANDING, choose
+from planner.crowd.choosing import STANDING
 from planner.crowd.sides import Passage, keep_right
 from planner.crowd.walker import PRESSED, Walker, calmed, walker_of
 from planner.round import reservations
@@ -28,6 +29,11 @@ SHORT = 0.8
 
 ALONG = 0.1
 """A step whose heading is so far off the course [rad] that it goes on to turns."""
+
+
+Choice = Callable[[Round, Walker, Candidate, float, np.ndarray], Candidate]
+"""A model of walking among others, as a kernel: of a round, one who walks, the step that it wishes for (its time is 0 where it
+would stand), how far left it is of where it should pass, and those near it, a step that is free; STANDING where none is."""
 
 
 @jit_borrowing
@@ -64,7 +70,7 @@ def intend(round: Round, me: Me, wish: Wish) -> None:
 
 
 @jit
-def _let_by(round: Round, me: Me, wish: Wish, near: np.ndarray) -> Wish:
+def _let_by(round: Round, me: Me, wish: Wish, near: np.ndarray, choose: Choice) -> Wish:
     """One who has arrived stands, as it wishes, or steps out of the way of those who wait to pass; then its way leads back."""
     held, waits, walker = round.reservations, False, walker_of(round, me, me.feet.newer.heading)
     for j in near:
@@ -82,8 +88,8 @@ def _let_by(round: Round, me: Me, wish: Wish, near: np.ndarray) -> Wish:
 
 
 @jit
-def give_way(round: Round, me: Me, wish: Wish) -> Wish:
-    """The wish, or what is free of others instead of it. Sets my intents: aim, and how many steps others hindered."""
+def give_way(round: Round, me: Me, wish: Wish, choose: Choice) -> Wish:
+    """The wish, or what a model chooses that is free of others. Sets my intents: aim, and how many steps others hindered."""
     intents, c, step, hindered = round.intents, me.c, wish.step, me.hindered
     intend(round, me, wish)
     if step.stands > 0 and not wish.goes:
@@ -95,7 +101,7 @@ def give_way(round: Round, me: Me, wish: Wish) -> Wish:
         intents.stood[c] = 0
         return wish
     if step.stands > 0:
-        return _let_by(round, me, wish, near[: max(count, 0)])
+        return _let_by(round, me, wish, near[: max(count, 0)], choose)
     biped, taken, passage = biped_of(round, me), STANDING, Passage(wish.course, 0.0, 0.0)
     if wish.goes:
         passage = keep_right(round, c, middle_beside(biped, me.feet.newer), wish.course)

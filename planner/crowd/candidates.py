@@ -21,13 +21,13 @@ from planner.crowd.bodies import gap_between
 from planner.crowd.walker import Walker
 from planner.round import reservations
 from planner.round.round import Round
-from planner.round.soles import sole_of
+from planner.round.soles import Sole, sole_of
 from planner.stepping import timing
 from planner.stepping.beside import Place, beside, sole_heading
 from planner.stepping.footing import FINE, why_not_step
 from planner.stepping.steering import free_way
 from worlds import queries
-from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.jit import jit_borrowing, jit_inline
 
 DIRECTIONS = (0.0, 0.2, -0.2, 0.45, -0.45, 0.75, -0.75, 1.1, -1.1, 1.6, -1.6, 2.3, -2.3, 3.14)
 """Off the wished course [rad]."""
@@ -93,11 +93,11 @@ def longest(biped: Dimensions, slant: float) -> float:
 
 
 @jit_borrowing
-def bearing_of(biped: Dimensions, walker: Walker, k: int) -> Bearing:
-    """Direction k. The foot turns into it, if it is before one or that turns to the course, too."""
-    direction, most = walker.course + DIRECTIONS[k], biped.reach.max_turn
+def bearing_of(biped: Dimensions, walker: Walker, aside: float) -> Bearing:
+    """A direction so far off the course [rad]. The foot turns into it, if it is before one or that turns to the course, too."""
+    direction, most = walker.course + aside, biped.reach.max_turn
     off = wrapped(direction - walker.heading)
-    back = off * wrapped(walker.course - walker.heading) > 0 and abs(DIRECTIONS[k]) < TURNS_TO
+    back = off * wrapped(walker.course - walker.heading) > 0 and abs(aside) < TURNS_TO
     turned = min(max(off, -most), most) if abs(off) < TURNS_TO or back else 0.0
     heading, far = walker.heading + turned, longest(biped, off - turned) * (1 - 0.4 * (turned / most) ** 2)
     aside_x, aside_y = beside(biped, walker.side, (0.0, 0.0), heading)
@@ -151,29 +151,50 @@ def _gap_to(held: reservations.Reservations, walker: Walker, j: int, time: float
     return gap_between(mine, face, its, looks, px, py) if px * px + py * py < largest * largest else inf
 
 
+@jit_inline
+def _keeps_off(
+    held: reservations.Reservations, walker: Walker, j: int, step: Candidate, sole: Sole, rest: Place, turned: Place, far: float
+) -> bool:  # fmt: skip
+    """Whether a step keeps off all that j holds: it comes to rest at a place [m], turned so. Nobody beyond `far` [m] counts."""
+    if not reservations.foot_is_free(held, j, sole, FOOT_MARGIN, walker.time + step.time):
+        return False
+    last, reach = held.path[j, reservations.COMMITTED - 1], far + max(held.half[j, 0], held.half[j, 1])
+    if abs(last[0] - rest[0]) > reach or abs(last[1] - rest[1]) > reach:
+        return True
+    face = (walker.face_x, walker.face_y)
+    least = min(_gap_to(held, walker, j, inf, (walker.rest_x, walker.rest_y), face), -walker.squeeze)
+    if _gap_to(held, walker, j, inf, rest, turned) < least:
+        return False
+    for k in range(1, LOOKS + 1):
+        s = k / LOOKS
+        x, y = walker.rest_x + s * (rest[0] - walker.rest_x), walker.rest_y + s * (rest[1] - walker.rest_y)
+        if _gap_to(held, walker, j, walker.there + s * step.time, (x, y), face) < least - GRAZE * walker.deep:
+            return False
+    return True
+
+
 @jit_borrowing
 def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> bool:
-    """Whether a step keeps off all that the others hold; where bodies are too close already, it may part them."""
+    """Whether a step keeps off all that the others hold; where bodies are too close already, it may part them.
+
+    Who is in the way becomes the first of those near: it is in the way of the next step that is tried, too.
+    """
     held = round.reservations
-    rest_x, rest_y = 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y)
+    rest = (0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y))
     heading = sole_heading(round.bipeds[round.kind[walker.c]], walker.side, step.heading)
     sole = sole_of(held.sole, walker.c, step.foot_x, step.foot_y, heading)
-    facing, face = 0.5 * (walker.heading + step.heading), (walker.face_x, walker.face_y)
+    facing = 0.5 * (walker.heading + step.heading)
     turned = (cos(facing), sin(facing))
-    far = walker.wide + hypot(rest_x - walker.rest_x, rest_y - walker.rest_y) + walker.full * step.time
-    for j in near:
-        if not reservations.foot_is_free(held, j, sole, FOOT_MARGIN, walker.time + step.time):
+    far = walker.wide + hypot(rest[0] - walker.rest_x, rest[1] - walker.rest_y) + walker.full * step.time
+    for i in range(len(near)):
+        if not _keeps_off(held, walker, near[i], step, sole, rest, turned, far):
+            near[0], near[i] = near[i], near[0]
             return False
-        last = held.path[j, reservations.COMMITTED - 1]
-        reach = far + max(held.half[j, 0], held.half[j, 1])
-        if abs(last[0] - rest_x) > reach or abs(last[1] - rest_y) > reach:
-            continue
-        least = min(_gap_to(held, walker, j, inf, (walker.rest_x, walker.rest_y), face), -walker.squeeze)
-        if _gap_to(held, walker, j, inf, (rest_x, rest_y), turned) < least:
-            return False
-        for k in range(1, LOOKS + 1):
-            s = k / LOOKS
-            x, y = walker.rest_x + s * (rest_x - walker.rest_x), walker.rest_y + s * (rest_y - walker.rest_y)
-            if _gap_to(held, walker, j, walker.there + s * step.time, (x, y), face) < least - GRAZE * walker.deep:
-                return False
     return True
+
+
+@jit_borrowing
+def may_be_taken(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> bool:
+    """Whether a step is one that legs can take, and free of trees, walls, water and others."""
+    biped = round.bipeds[round.kind[walker.c]]
+    return not crosses(biped, walker, step) and is_open(round, walker, step) and is_free(round, walker, near, step)

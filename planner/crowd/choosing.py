@@ -12,9 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
-from planner.crowd import terms
+from planner.crowd import candidates, terms
 from planner.crowd.candidates import DIRECTIONS, QUICK, Bearing, Candidate, bearing_of, candidate, crosses, is_free, is_open
-from planner.crowd.neighbour import NEIGHBOUR, see
+from planner.crowd.neighbour import NEIGHBOUR, close_by, see
 from planner.crowd.sides import on_the_right, wrong_side
 from planner.crowd.walker import Walker
 from planner.round.round import Round
@@ -45,6 +45,7 @@ class Scratch(NamedTuple):
     """Room to work in: of each direction, of standing, of the wish."""
 
     others: Any  # (K,) records of NEIGHBOUR: those near
+    close: Any  # those of them to whom spacing may matter
     cost: np.ndarray  # (WISH + 1,) what it costs, or no more than that
     weighed: np.ndarray  # (WISH + 1,) bool: that is what it costs
     length: np.ndarray  # (STAND,) of the step in each direction [m]; negative: claimed, but not taken
@@ -149,11 +150,11 @@ def _room_in(walker: Walker, others: Any, to: Bearing, enough: float) -> float:
 @jit_borrowing
 def _lay(round: Round, walker: Walker, right: float, wished: Candidate, scratch: Scratch) -> None:
     """Fills in the steps, and what each direction, standing and the wish cost at least."""
-    others, cost, weighed, length, step = scratch
+    others, cost, length = scratch.close, scratch.cost, scratch.length
     biped = round.bipeds[round.kind[walker.c]]
     most, least = QUICK * pendulum_time(biped.timing.hip_height), LEAST * biped.gait.preferred_step
     for k in range(STAND):
-        to = bearing_of(biped, walker, k)
+        to = bearing_of(biped, walker, DIRECTIONS[k])
         speed = _speed_in(round, walker, others, to.ahead_x, to.ahead_y)
         enough = min(speed * most, to.longest)
         length[k] = min(enough, max(_room_in(walker, others, to, enough), least))
@@ -198,18 +199,41 @@ def _candidate_in(record: Any) -> Candidate:
     return Candidate(record.x, record.y, record.heading, record.foot_x, record.foot_y, record.time)
 
 
+@jit_borrowing
+def _shorten(round: Round, walker: Walker, right: float, near: np.ndarray, k: int, scratch: Scratch) -> None:
+    """Makes the step of direction k, which may not be taken, as long as may be.
+
+    Each shorter one would have been the cheapest before its turn came: so it costs as much as the dearest of those that were
+    tried on the way. In directions that are never free, which most are where one is left to stand, none of them is weighed.
+    """
+    biped, cost, length = round.bipeds[round.kind[walker.c]], scratch.cost, scratch.length
+    to, dearest, tried = bearing_of(biped, walker, DIRECTIONS[k]), cost[k], length[k]
+    cost[k] = inf
+    while length[k] * SHORTER_BY >= LEAST * biped.gait.preferred_step:
+        length[k] *= SHORTER_BY
+        if candidates.may_be_taken(round, walker, near, candidate(biped, walker, to, length[k])):
+            _put(round, walker, right, k, candidate(biped, walker, to, length[k]), scratch)
+            while tried > length[k]:
+                tried *= SHORTER_BY
+                step = candidate(biped, walker, to, tried)
+                dearest = max(dearest, cost_of(round, walker, scratch.others, right, step, True))
+            cost[k], scratch.weighed[k] = dearest, True
+            return
+
+
 @jit
 def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: np.ndarray) -> Candidate:
     """The cheapest step that is free; its time is 0 where that is to stand, which one may also wish for.
 
     left: of where I should pass (Passage).
     """
-    others, cost = np.empty(len(near), NEIGHBOUR), np.empty(WISH + 1)
-    scratch, c = Scratch(others, cost, np.empty(WISH + 1, np.bool_), np.empty(STAND), np.empty(WISH + 1, CANDIDATE)), walker.c
-    length = scratch.length
+    c, cost, length = walker.c, np.empty(WISH + 1), np.empty(STAND)
+    others, close = np.empty(len(near), NEIGHBOUR), np.empty(len(near), NEIGHBOUR)
     biped, aim = round.bipeds[round.kind[c]], (round.intents.aim[c, 0], round.intents.aim[c, 1])
     least, claimed = LEAST * biped.gait.preferred_step, False
     see(round.reservations, walker, aim, float(walker.hindered), near, others)
+    close = close[: close_by(round, walker, others, close)]
+    scratch = Scratch(others, close, cost, np.empty(WISH + 1, np.bool_), length, np.empty(WISH + 1, CANDIDATE))
     right = max(on_the_right(walker, others, round.reservations.reach), left) if round.weights[round.kind[c]].side > 0 else 0.0
     _lay(round, walker, right, wished, scratch)
     while True:
@@ -228,7 +252,11 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
                 _claim(round, walker, others, 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y))
             if (k == WISH or length[k] > 0) and is_free(round, walker, near, step):
                 return step
+        if k < STAND and claimed:
+            _shorten(round, walker, right, near, k, scratch)
+            continue
         cost[k] = inf
         if k < STAND and length[k] * SHORTER_BY >= least:
             length[k] *= SHORTER_BY
-            _put(round, walker, right, k, candidate(biped, walker, bearing_of(biped, walker, k), length[k]), scratch)
+            to = bearing_of(biped, walker, DIRECTIONS[k])
+            _put(round, walker, right, k, candidate(biped, walker, to, length[k]), scratch)

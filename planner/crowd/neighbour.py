@@ -1,12 +1,15 @@
 """What one walker sees of another: where it is and goes, how it stands, and what it wants."""
 
-from math import inf
+from math import hypot, inf
 from typing import Any
 
 import numpy as np
 
+from motion.arithmetic.gravity import pendulum_time
+from planner.crowd.candidates import QUICK
 from planner.crowd.walker import Walker
 from planner.round.reservations import COMMITTED, Reservations, place_on_path
+from planner.round.round import Round
 from planner.stepping.beside import Place
 from worlds.compiled.jit import jit_borrowing
 
@@ -30,6 +33,8 @@ NEIGHBOUR = np.dtype(
 )
 LEAST_STEP = 0.1
 """Steps of less than this time [s] tell no velocity."""
+ROUNDED = 2e-9
+"""Whoever is beyond a bound by this [m] is so however numbers are rounded."""
 ALIKE = 0.5
 """The cosine between two wishes from which on they are alike: none of them has the right of way, who is ahead goes ahead."""
 
@@ -78,3 +83,26 @@ def see(held: Reservations, walker: Walker, aim: Place, rank: float, near: np.nd
         other.rank, other.claim_x, other.claim_y = held.rank[j], inf, inf
         if other.rank > 0 and other.along < ALIKE and (other.rank > rank or (other.rank == rank and j < walker.c)):
             other.claim_x, other.claim_y = held.claim[j, 0] - walker.rest_x, held.claim[j, 1] - walker.rest_y
+
+
+@jit_borrowing
+def close_by(round: Round, walker: Walker, others: Any, close: Any) -> int:
+    """Fills in those of the others whom a step in any direction may come to by spacing, as bounds tell; returns how many.
+
+    Whose way crosses mine lies no further aside than both are wide, and along it no further than one goes in the time gap and a
+    step, or than the other goes in a step.
+    """
+    biped, count = round.bipeds[round.kind[walker.c]], 0
+    swing, stride = pendulum_time(biped.timing.hip_height), biped.gait.preferred_step
+    time, fastest = QUICK * swing, max(walker.full, hypot(walker.wish_x, walker.wish_y))
+    goes = max(fastest * (round.weights[round.kind[walker.c]].gap * swing + time), 0.5 * stride)
+    off = hypot(walker.x - walker.rest_x, walker.y - walker.rest_y)  # of my rest beside a step of no length
+    off += hypot(walker.foot_x - walker.rest_x, walker.foot_y - walker.rest_y) + biped.gait.step_width
+    for i in range(len(others)):
+        other = others[i]
+        wide = max(walker.deep, walker.wide) + max(other.deep, other.wide)
+        far = hypot(wide, max(goes + wide, time * hypot(other.vx, other.vy))) + ROUNDED
+        if hypot(other.x, other.y) < far or hypot(other.rest_x, other.rest_y) < far + 0.5 * off:
+            close[count] = other
+            count += 1
+    return count

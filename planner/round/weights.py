@@ -37,16 +37,30 @@ class Weights(NamedTuple):
     """Of resting where one who has waited longer would go: more of it makes way, and backs off, sooner."""
     stand: float = 0.05
     """Of standing still: more of it shuffles on."""
+    model: str = "steps"
+    """Who reads the table, one of MODELS."""
+
+    def of(self, name: str, value: float) -> "Weights":
+        """The same, but for one of the numbers."""
+        return self._replace(**{name: value})  # type: ignore[arg-type]
 
 
 PEOPLE = Weights()
 """As measured (docs/crowds.md)."""
-WEIGHTS = np.dtype([(name, np.float64) for name in Weights._fields])
+MODELS = ("steps", "orca")
+"""How one chooses among others: the step that costs least (planner.crowd.choosing), or a velocity that avoids all for a while
+(planner.velocities.orca), for which none of these weighs anything."""
+NUMBERS = tuple(name for name in Weights._fields if name != "model")
+WEIGHTS = np.dtype([(name, np.float64) for name in NUMBERS])
 
 
 def table_of_weights(weights: Weights, kinds: int) -> Any:
-    """(kinds,) records of WEIGHTS, for kernels. Raises ValueError for a weight below 0: bounds of costs count on that."""
-    for name, weight in weights._asdict().items():
+    """(kinds,) records of WEIGHTS, for kernels. Raises ValueError for a weight below 0, since bounds of costs count
+    on that, and for a model that there is not."""
+    numbers = tuple(getattr(weights, name) for name in NUMBERS)
+    for name, weight in zip(NUMBERS, numbers, strict=True):
         if not 0 <= weight < inf:
             raise ValueError(f"weights.{name}: {weight} is no weight of a step's cost; allowed are numbers from 0 on")
-    return np.array([weights] * kinds, WEIGHTS).view(np.recarray)
+    if weights.model not in MODELS:
+        raise ValueError(f"weights.model: {weights.model!r} is no model of walking among others; there are {', '.join(MODELS)}")
+    return np.array([numbers] * kinds, WEIGHTS).view(np.recarray)

@@ -7,14 +7,14 @@ from types import ModuleType
 from typing import Any
 
 from motion.characters.character import character_names, load_character
-from planner.round.weights import PEOPLE, Weights
+from planner.round.weights import MODELS, NUMBERS, PEOPLE, Weights
 from sim.files import outputs
 from sim.files.recording import load_recording
 from sim.reports import literature, measured, timings
 from sim.reports import verify as verifying
 from sim.reports.cycles import people_of
 from sim.reports.measure import measure
-from sim.reports.throngs import ablation
+from sim.reports.throngs import ablation, weighing
 from worlds.compiled.telling import tell
 from worlds.errors import InputError
 from worlds.errors.wording import nearest
@@ -77,7 +77,7 @@ def verified(options: Any) -> None:
         for line in ablation.table():
             print(line, flush=True)
         return
-    weights, folder, found = _weights(options.without), _folder(options.trajectories), []
+    weights, folder, found = _weights(options.without, options.model), _folder(options.trajectories), []
     if options.case is not None and options.case not in verifying.numbers():
         known = ", ".join(str(number) for number in verifying.numbers())
         raise InputError(f"--case {options.case}: of the RiMEA tests there are {known}")
@@ -86,6 +86,8 @@ def verified(options: Any) -> None:
         found.append(row)
         if not options.json:
             print(verifying.in_words(row), flush=True)
+    if album and not options.quick and options.case is None:
+        album.weigh(weighing.weighed(weights))
     for path in album.draw() if album else []:
         tell(f"wrote {path.resolve()}")
     fits = sum(row.fits for row in found)
@@ -114,15 +116,18 @@ def _plots() -> ModuleType:
     return plots
 
 
-def _weights(without: str | None) -> Weights:
-    """Those of people, one of them left out. Raises InputError where there is none of that name."""
+def _weights(without: str | None, model: str) -> Weights:
+    """Those of people, for a model, one of them left out. Raises InputError where there is none of that name."""
+    if model not in MODELS:
+        raise InputError(f"--model {model}: {', '.join(MODELS)} are allowed{nearest(model, MODELS)}")
+    weights = PEOPLE._replace(model=model)
     if without is None:
-        return PEOPLE
-    if without not in Weights._fields:
-        raise InputError(f"--without {without}: {', '.join(Weights._fields)} are allowed{nearest(without, Weights._fields)}")
+        return weights
+    if without not in NUMBERS:
+        raise InputError(f"--without {without}: {', '.join(NUMBERS)} are allowed{nearest(without, NUMBERS)}")
     if without in ablation.SCALES:
         raise InputError(f"--without {without}: is a scale, no term; its term is {ablation.SCALES[without]}")
-    return PEOPLE._replace(**{without: 0.0})
+    return weights.of(without, 0.0)
 
 
 def _album(wanted: str | None) -> Any:
@@ -131,7 +136,7 @@ def _album(wanted: str | None) -> Any:
     if folder is None:
         return None
     _plots()
-    from sim.reports.crowd_plots import Album
+    from sim.reports.pictures.album import Album
 
     return Album(folder)
 

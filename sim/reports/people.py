@@ -43,3 +43,21 @@ class Row(NamedTuple):
     def verdict(self) -> str:
         """Whether it fits, in a word."""
         return "fits" if self.fits else "does NOT fit"
+
+
+WAYS, BODIES, STANDING = "ways", "bodies", "standing"
+"""What is drawn of people: where they went, their bodies at a moment, or who of them stands then."""
+
+
+class Weighed(NamedTuple):
+    """A little scene at several values of a weight of what a step costs."""
+
+    weight: str
+    more: str  # what more of it does
+    values: list[float]
+    flows: list[Any]  # sim.reports.flows.Flow, of each value
+    figures: list[float]
+    words: list[str]  # what each figure tells
+    box: tuple[float, float, float, float]  # what is shown: least and largest x, least and largest y [m]
+    drawn: str  # WAYS, BODIES or STANDING
+    moment: float  # at which bodies are shown [s]

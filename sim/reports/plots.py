@@ -8,6 +8,7 @@ import matplotlib.patches
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from PIL import Image
 
 from motion.measures import gait, joints
 from motion.track import phases
@@ -228,8 +229,13 @@ def writable_kind(path: str | Path) -> None:
         raise InputError(f"{path}: the figure's name must end in {', '.join(KINDS)}")
 
 
-def write(figure: Figure, path: str | Path) -> None:
-    """Writes the figure whole or not at all; the kind of file is that of its name."""
+def write(figure: Figure, path: str | Path, colours: int | None = None) -> None:
+    """Writes the figure whole or not at all; the kind of file is that of its name. A .png of so many colours is small."""
     writable_kind(path)
+    kind = Path(path).suffix[1:].lower()
     with outputs.whole(path) as temporary:
-        figure.savefig(temporary, format=Path(path).suffix[1:].lower(), dpi=120)
+        figure.savefig(temporary, format=kind, dpi=120)
+        if colours is not None and kind == "png":
+            with Image.open(temporary) as image:
+                few = image.convert("RGB").quantize(colours, dither=Image.Dither.NONE)
+            few.save(temporary, format="PNG", optimize=True)

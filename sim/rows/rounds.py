@@ -13,6 +13,7 @@ from motion.com.newton import Effort
 from motion.com.window import optimise_window
 from motion.track.curve import up_to
 from motion.track.footprints import feet_before
+from planner.crowd import choosing
 from planner.crowd.avoiding import YIELD_TIME, give_way, intend
 from planner.crowd.candidates import QUICK
 from planner.round import reservations
@@ -24,6 +25,7 @@ from planner.stepping import random
 from planner.stepping.going_on import going_on
 from planner.stepping.placing import lay_swing
 from planner.stepping.taking import take_step
+from planner.velocities import orca
 from sim.rows.crowd import REAL, TENTATIVE, Crowd, commit, committed_of, empty_crowd, footprints_of, horizon, shift
 from sim.rows.posing import SHARE, WORKERS, fetch_row
 from worlds.compiled.jit import jit, jit_borrowing, jit_parallel
@@ -71,12 +73,18 @@ def _wish(work: Work, me: Me) -> Wish:
     return standing(me, YIELD_TIME)
 
 
-def _go_around(round_at: int, me_at: int, wish_at: int) -> None:
-    """Puts what is free of others instead of a lent wish there."""
-    put_wish(wish_at, give_way(open_round(round_at), open_me(me_at), open_wish(wish_at)))
+def _by_steps(round_at: int, me_at: int, wish_at: int) -> None:
+    """Puts what is free of others instead of a lent wish there: of all steps the one that costs least."""
+    put_wish(wish_at, give_way(open_round(round_at), open_me(me_at), open_wish(wish_at), choosing.choose))
 
 
-go_around = Part(_go_around, 3)
+def _by_velocities(round_at: int, me_at: int, wish_at: int) -> None:
+    """The same, by a velocity that avoids all for a while."""
+    put_wish(wish_at, give_way(open_round(round_at), open_me(me_at), open_wish(wish_at), orca.choose))
+
+
+go_around = {"steps": Part(_by_steps, 3), "orca": Part(_by_velocities, 3)}
+"""By the names of models (planner.round.weights)."""
 
 
 @jit_borrowing

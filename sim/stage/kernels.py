@@ -20,6 +20,7 @@ from planner.modes.steer import Steered
 from planner.modes.wander import Wander
 from planner.river import grid, moves, search
 from planner.river.rock_hop import RockHop
+from planner.round.weights import PEOPLE
 from planner.script import laying
 from planner.stepping import beside, field, timing
 from sim.rows import crowd as crowds
@@ -44,7 +45,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
     return {
         "window solve": [(rounds.optimise_step, ())],
         "placing footprints": [(rounds.plan_step, ())],
-        "going around others": [(rounds.go_around, ())],
+        "going around others": [(rounds.go_around[PEOPLE.model], ())],
         **{name: [(planner.planning.part, ())] for name, planner in PLANNERS.items()},
         "ways": [(field.lay_out, (biped, w, 0.0, matrix)), (field.sweep, (matrix, 0.0, matrix.astype(np.float32)))],
         "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), 0, 0.0, one))],

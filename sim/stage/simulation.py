@@ -231,7 +231,7 @@ class Simulation(Cast):
         """From now on, rounds are like this one, with the plans that are in use: `work` is what they work on."""
         planner = self.planner.planning.address(round._replace(plans=self.plans))
         self._round = Held(round._replace(plans=self._plans.address if self._plans else 0), ROUND)
-        others = rounds.go_around.address if len(self.characters) > 1 else 0
+        others = rounds.go_around[self.weights.model].address if len(self.characters) > 1 else 0
         work = rounds.Work(self.crowd, self._round.value, self._round.address, planner, self.soles, others, self._refused)
         self.work = Held(work, rounds.WORK)
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from planner.round.weights import PEOPLE, Weights
+from planner.round.weights import NUMBERS, PEOPLE, Weights
 from sim.reports import flows
 from sim.reports.flows import Flow
 from sim.reports.throngs import cases, figures
@@ -18,9 +18,9 @@ def table() -> Iterator[str]:
     yield f"| without | ring at 2 per square metre | bottleneck 1.2 m | counterflow, 60 a side | {cases.EACH} on a circle |"
     yield "|---|---|---|---|---|"
     yield _row("nothing", PEOPLE)
-    for name in PEOPLE._fields:
+    for name in NUMBERS:
         if name not in SCALES:
-            yield _row(name, PEOPLE._replace(**{name: 0.0}))
+            yield _row(name, PEOPLE.of(name, 0.0))
 
 
 def _row(name: str, weights: Weights) -> str:

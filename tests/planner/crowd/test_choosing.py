@@ -7,9 +7,20 @@ from hypothesis import strategies as st
 
 from planner.crowd import terms
 from planner.crowd.bodies import extent, way_to_touch
-from planner.crowd.candidates import DIRECTIONS, Candidate
-from planner.crowd.choosing import CANDIDATE, STAND, WISH, Scratch, _cheapest, _lay, cost_of, least_cost
-from planner.crowd.neighbour import NEIGHBOUR
+from planner.crowd.candidates import DIRECTIONS, Candidate, bearing_of, candidate
+from planner.crowd.choosing import (
+    CANDIDATE,
+    SHORTER_BY,
+    STAND,
+    WISH,
+    Scratch,
+    _cheapest,
+    _lay,
+    _shorten,
+    cost_of,
+    least_cost,
+)  # fmt: skip
+from planner.crowd.neighbour import NEIGHBOUR, close_by
 from planner.round.weights import PEOPLE, table_of_weights
 from tests.planner.crowd.test_avoiding import around, nothing_held
 from tests.planner.crowd.test_terms import B, other, waiting
@@ -40,7 +51,7 @@ def weighed(seed, right):
     """(walker, others, scratch) of one who chooses in a throng, as it wishes to go on straight ahead."""
     me, others = waiting(course=0.3), throng(seed)
     steps = np.empty(WISH + 1, CANDIDATE).view(np.recarray)
-    scratch = Scratch(others, np.empty(WISH + 1), np.empty(WISH + 1, np.bool_), np.empty(STAND), steps)
+    scratch = Scratch(others, others, np.empty(WISH + 1), np.empty(WISH + 1, np.bool_), np.empty(STAND), steps)
     _lay(ROUND, me, right, Candidate(5.5, 5.1, 0.1, 5.5, 5.0, 0.5), scratch)
     return me, others, scratch
 
@@ -90,6 +101,41 @@ def test_a_bound_on_the_speed_leaves_the_least_as_it_is(px, py, vx, most):
     assert min(terms.speed_behind(me, one, 1.0, 0.0, 0.4, 0.4, most), most) == min(whole, most)
 
 
+def test_spacing_is_told_by_those_who_are_close_alone():
+    told = 0
+    for seed in range(60):
+        me, others, all = weighed(seed, 0.5)
+        close = np.zeros(len(others), NEIGHBOUR)
+        close = close[: close_by(ROUND, me, others, close)]
+        few = all._replace(close=close, cost=np.empty(WISH + 1), length=np.empty(STAND), step=all.step.copy())
+        _lay(ROUND, me, 0.5, Candidate(5.5, 5.1, 0.1, 5.5, 5.0, 0.5), few)
+        for mine, theirs in ((few.cost, all.cost), (few.length, all.length), (few.step, all.step)):
+            np.testing.assert_array_equal(mine, theirs)
+        told += len(close) < len(others)
+    assert told > 30, "some are told to be too far away"
+
+
+def test_a_shorter_step_costs_as_much_as_the_dearest_on_the_way():
+    for seed in range(40):
+        me, others, scratch = weighed(seed, 0.5)
+        k = int(np.argmax(scratch.length))
+        scratch.cost[k] = 0.5 * scratch.cost[k]
+        before, length = scratch.cost[k], scratch.length[k]
+        _shorten(ROUND, me, 0.5, np.zeros(0, np.int64), k, scratch)
+        if np.isfinite(scratch.cost[k]):
+            tried = length * SHORTER_BY ** np.arange(1, 30)
+            tried = tried[tried > scratch.length[k] - 1e-9]
+            to = bearing_of(B, me, DIRECTIONS[k])
+            costs = [cost_of(ROUND, me, others, 0.5, candidate(B, me, to, far), True) for far in tried]
+            assert scratch.cost[k] == pytest.approx(max(before, *costs)) and scratch.weighed[k]
+            assert scratch.length[k] == pytest.approx(tried[-1]) and tried[-1] < length
+
+
 def test_no_weight_is_negative():
     with pytest.raises(ValueError, match="weights.side: -1"):
         table_of_weights(PEOPLE._replace(side=-1.0), 1)
+
+
+def test_a_model_that_there_is_not_is_refused():
+    with pytest.raises(ValueError, match="there are steps, orca"):
+        table_of_weights(PEOPLE._replace(model="fields"), 1)

@@ -140,9 +140,9 @@ def test_candidates_reach_as_far_as_a_leg_steps():
     assert longest(B, 0.0) == pytest.approx(0.7) and longest(B, np.pi / 2) == pytest.approx(0.35) == pytest.approx(
         longest(B, np.pi)
     )
-    assert bearing_of(B, me, 0).longest == pytest.approx(0.7)
+    assert bearing_of(B, me, 0.0).longest == pytest.approx(0.7)
     for k in range(len(DIRECTIONS)):
-        to = bearing_of(B, me, k)
+        to = bearing_of(B, me, DIRECTIONS[k])
         step = candidate(B, me, to, to.longest)
         assert np.hypot(step.x - 5, step.y - 5) <= 0.7 + 1e-9 and abs(step.heading) <= B.reach.max_turn + 1e-9
         assert np.arctan2(step.y - 5, step.x - 5) == pytest.approx(DIRECTIONS[k])
@@ -150,7 +150,7 @@ def test_candidates_reach_as_far_as_a_leg_steps():
 
 def stepping_aside(me, k):
     """A step of 0.2 m in direction k."""
-    return candidate(B, me, bearing_of(B, me, k), 0.2)
+    return candidate(B, me, bearing_of(B, me, DIRECTIONS[k]), 0.2)
 
 
 def test_who_faces_away_from_its_course_turns_to_it_as_it_steps():

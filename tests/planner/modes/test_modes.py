@@ -236,3 +236,9 @@ def test_a_wish_may_hop():
     sim = run(Custom(hops, [(3.0, 10.0, 0.0)]), [HUMAN], 300)
     assert len(set(sim.feet().side[0].tolist())) == 1
     assert sim.feet().side[0, 0] in (LEFT, RIGHT)
+
+
+@pytest.mark.parametrize("name", ["bird", "human"])
+def test_ten_thousand_find_room_on_a_level_that_ships(name):
+    starts = Wander().starts(load_level("meadow"), [load_character(name)] * 10_000, 0)
+    assert starts.shape == (10_000, 3) and len(np.unique(starts[:, :2].round(1), axis=0)) == 10_000

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import main
-from planner.round.weights import PEOPLE
+from planner.round.weights import NUMBERS, PEOPLE
 from sim.reports import flows
 from sim.reports.flows import Flow
 from worlds.world import World
@@ -54,13 +54,16 @@ def test_crowds_begin_as_dense_as_is_asked_for_and_apart():
 
 def test_the_table_of_weights_is_that_of_the_docs():
     told = {line.split("`")[1]: line.split("|")[2].split()[0] for line in DOCS.read_text("utf-8").splitlines() if "| `" in line}
-    assert {name: float(value) for name, value in told.items()} == pytest.approx(PEOPLE._asdict())
+    assert {name: float(value) for name, value in told.items()} == pytest.approx(
+        {name: getattr(PEOPLE, name) for name in NUMBERS}
+    )
 
 
 def test_a_term_that_there_is_not_is_told(capsys):
     assert main.main(["verify", "--without", "tuoch"]) == 2
     assert "did you mean touch?" in capsys.readouterr().err
     assert main.main(["verify", "--without", "horizon"]) == 2 and "touch" in capsys.readouterr().err
+    assert main.main(["verify", "--model", "orac"]) == 2 and "did you mean orca?" in capsys.readouterr().err
 
 
 def test_the_quick_cases_are_told_with_their_bands(tmp_path, capsys):

@@ -7,9 +7,10 @@ pytest.importorskip("matplotlib", reason="figures need matplotlib")
 
 from PIL import Image
 
-from sim.reports.crowd_plots import Album, weidmann
 from sim.reports.flows import Flow
 from sim.reports.people import Case, Row
+from sim.reports.pictures.album import Album
+from sim.reports.pictures.crowds import weidmann
 from worlds.world import Wall, World
 
 

@@ -1,8 +1,8 @@
 """Pictures of crowds beside people, by matplotlib (the extra `plots`): speeds, flows, where it is dense, lanes, a circle."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import matplotlib
 import numpy as np
@@ -11,7 +11,6 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from sim.reports.flows import Flow
-from sim.reports.people import Case, Row
 from sim.reports.plots import INK, STYLE, write
 from worlds.world import World
 
@@ -22,8 +21,6 @@ LABORATORY = {0.5: 1.54, 1.0: 1.47, 1.5: 1.19, 2.0: 1.01, 2.5: 0.56}
 PEOPLE = (1.6, 2.1)
 """Flow of people through bottlenecks, per metre and second."""
 OURS, THEIRS, OTHER = "#b5432f", "0.6", "#3b6fa0"
-DENSE = 2.0
-"""The bottleneck of this width [m] is shown from above."""
 DIM = 0.8
 """Of full colours, so that yellow is seen on white."""
 NOBODY = 0.02
@@ -141,37 +138,3 @@ def _ground(plane: Axes, world: World, places: np.ndarray) -> None:
     plane.set(xlim=(max(low[0], 0), min(high[0], world.size[0])), ylim=(max(low[1], 0), min(high[1], world.size[1])))
     plane.set(aspect="equal", xlabel="x [m]", ylabel="y [m]")
     plane.grid(False)
-
-
-class Album:
-    """Takes cases of `verify` as they come, and draws what they show."""
-
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
-        self._spots: dict[str, list[Spot]] = {"speeds": [], "flows": []}
-        self._flows: dict[str, Flow] = {}
-
-    def take(self, case: Case, found: list[Flow], row: Row) -> None:
-        """Keeps what is to be drawn of a case."""
-        if case.shows in self._spots:
-            self._spots[case.shows].append(Spot(case.at, row.value))
-        if case.shows in ("lanes", "circle") and case.shows not in self._flows:
-            self._flows[case.shows] = found[0]
-        if case.shows == "flows" and case.at == DENSE:
-            self._flows["density"] = found[0]
-
-    def draw(self) -> list[Path]:
-        """The pictures that were written: those of which there is something to draw."""
-        jobs: list[tuple[str, Callable[[Any, Path], None], Any]] = [
-            ("speeds", plot_speeds, self._spots["speeds"]),
-            ("flows", plot_flows, self._spots["flows"]),
-            ("lanes", plot_lanes, self._flows.get("lanes")),
-            ("density", plot_density, self._flows.get("density")),
-            ("circle", plot_circle, self._flows.get("circle")),
-        ]
-        done = []
-        for name, plot, of in jobs:
-            if of:
-                done.append(self.folder / f"crowd_{name}.png")
-                plot(of, done[-1])
-        return done
