@@ -15,7 +15,7 @@ from motion.arithmetic.gravity import pendulum_time
 from planner.crowd import terms
 from planner.crowd.candidates import DIRECTIONS, QUICK, Bearing, Candidate, bearing_of, candidate, crosses, is_free, is_open
 from planner.crowd.neighbour import NEIGHBOUR, see
-from planner.crowd.sides import on_the_right, wrong_side
+from planner.crowd.sides import AGAINST, on_the_right, wrong_side
 from planner.crowd.walker import Walker
 from planner.round.round import Round
 from worlds.compiled.jit import jit, jit_borrowing
@@ -117,16 +117,19 @@ def _claim(round: Round, walker: Walker, others: Any, x: float, y: float) -> Non
 
 @jit_borrowing
 def _speed_in(round: Round, walker: Walker, others: Any, dx: float, dy: float) -> float:
-    """The speed [m/s] in the direction of a unit vector: the wished one, or what the spacing to those ahead in it allows."""
+    """The speed [m/s] in the direction of a unit vector: the wished one, or what the spacing to those ahead in it allows, and
+    how dense it is there. Who comes against one does not count for that: lanes part."""
     biped, weights = round.bipeds[round.kind[walker.c]], round.weights[round.kind[walker.c]]
-    swing = pendulum_time(biped.timing.hip_height)
+    swing, far, cover = pendulum_time(biped.timing.hip_height), weights.ahead * biped.gait.preferred_step, 0.0
     speed, gap = walker.full, weights.gap * swing
     if walker.calm:
         stays = walker.wish_x == 0 and walker.wish_y == 0
         speed = SIDLES * walker.full if stays else max(walker.wish_x * dx + walker.wish_y * dy, 0.0)
     for i in range(len(others)):
         speed = min(speed, terms.speed_behind(walker, others[i], dx, dy, QUICK * swing, gap, speed))
-    return speed
+        if others[i].along > AGAINST:
+            cover += terms.covered(others[i], dx, dy, far)
+    return min(speed, terms.pace_at(cover) * walker.full)
 
 
 @jit_borrowing
