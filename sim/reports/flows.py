@@ -138,6 +138,14 @@ def kinds_of(names: tuple[str, ...]) -> tuple[list[Character], float]:
     return kinds, float(max(body_sizes(one.biped)[1] for one in kinds) / body_sizes(load_character("human").biped)[1])
 
 
+def by_turns(
+    world: World, kinds: list[Character], starts: np.ndarray, stops: np.ndarray, weights: Weights, scale: float, seed: int
+) -> Simulation:  # fmt: skip
+    """Characters of these kinds by turns, so much wider than people, who walk from starts (C, 3) to stops (C, P, 2)."""
+    who = [kinds[c % len(kinds)] for c in range(len(starts))]
+    return Simulation(world, who, WalkTo(starts, stops, near=1.2 * scale), seed, weights=weights)
+
+
 def counterflow(
     count: int, gap: float = 3.0, weights: Weights = PEOPLE, names: tuple[str, ...] = ("human",), seed: int = 1
 ) -> Simulation:
@@ -158,9 +166,7 @@ def counterflow(
     begin[:, :2] *= scale
     lines = [[(scale * x, scale * v) for v in ends] for ends in ((0, y - half), (size[1], y + half))]
     world = World("counterflow", (scale * size[0], scale * size[1]), walls=walls(*lines))
-    who = [kinds[c % len(kinds)] for c in range(len(begin))]
-    planner = WalkTo(begin, scale * (end + (x, y))[:, None], near=1.2 * scale)
-    return Simulation(world, who, planner, seed, weights=weights)
+    return by_turns(world, kinds, begin, scale * (end + (x, y))[:, None], weights, scale, seed)
 
 
 def last_through(flow: Flow) -> float:

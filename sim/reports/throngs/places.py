@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from planner.modes.walk_to import WalkTo
 from planner.round.weights import Weights
 from sim.reports import flows
 from sim.reports.flows import CORRIDOR, Flow
@@ -49,5 +48,4 @@ def circle(count: int, apart: float, weights: Weights, names: tuple[str, ...] = 
     angle, radius = 2 * np.pi * np.arange(count) / count, scale * apart * count / (2 * np.pi)
     out, middle = radius * np.column_stack([np.cos(angle), np.sin(angle)]), radius + 4.0 * scale
     starts, stops = np.column_stack([middle + out, angle + np.pi]), (middle - out)[:, None]
-    who, planner = [kinds[c % len(kinds)] for c in range(count)], WalkTo(starts, stops, near=1.2 * scale)
-    return Simulation(World("circle", (2 * middle, 2 * middle)), who, planner, seed, weights=weights)
+    return flows.by_turns(World("circle", (2 * middle, 2 * middle)), kinds, starts, stops, weights, scale, seed)
