@@ -15,7 +15,7 @@ from motion.arithmetic.gravity import pendulum_time
 from planner.crowd import candidates, terms
 from planner.crowd.candidates import DIRECTIONS, QUICK, Bearing, Candidate, bearing_of, candidate, crosses, is_free, is_open
 from planner.crowd.neighbour import NEIGHBOUR, close_by, see
-from planner.crowd.sides import on_the_right, wrong_side
+from planner.crowd.sides import AGAINST, on_the_right, wrong_side
 from planner.crowd.walker import Walker
 from planner.round.round import Round
 from worlds.compiled.jit import jit, jit_borrowing
@@ -117,17 +117,21 @@ def _claim(round: Round, walker: Walker, others: Any, x: float, y: float) -> Non
 
 
 @jit_borrowing
-def _speed_in(round: Round, walker: Walker, others: Any, dx: float, dy: float) -> float:
-    """The speed [m/s] in the direction of a unit vector: the wished one, or what the spacing to those ahead in it allows."""
+def _speed_in(round: Round, walker: Walker, scratch: Scratch, dx: float, dy: float) -> float:
+    """The speed [m/s] in the direction of a unit vector: the wished one, or what the spacing to those ahead in it allows, and
+    how dense it is there. Who comes against one does not count for that: lanes part."""
     biped, weights = round.bipeds[round.kind[walker.c]], round.weights[round.kind[walker.c]]
-    swing = pendulum_time(biped.timing.hip_height)
+    swing, far, cover = pendulum_time(biped.timing.hip_height), weights.ahead * biped.gait.preferred_step, 0.0
     speed, gap = walker.full, weights.gap * swing
     if walker.calm:
         stays = walker.wish_x == 0 and walker.wish_y == 0
         speed = SIDLES * walker.full if stays else max(walker.wish_x * dx + walker.wish_y * dy, 0.0)
-    for i in range(len(others)):
-        speed = min(speed, terms.speed_behind(walker, others[i], dx, dy, QUICK * swing, gap, speed))
-    return speed
+    for i in range(len(scratch.close)):
+        speed = min(speed, terms.speed_behind(walker, scratch.close[i], dx, dy, QUICK * swing, gap, speed))
+    for i in range(len(scratch.others)):
+        if scratch.others[i].along > AGAINST:
+            cover += terms.covered(scratch.others[i], dx, dy, far)
+    return min(speed, terms.pace_at(cover) * walker.full)
 
 
 @jit_borrowing
@@ -155,7 +159,7 @@ def _lay(round: Round, walker: Walker, right: float, wished: Candidate, scratch:
     most, least = QUICK * pendulum_time(biped.timing.hip_height), LEAST * biped.gait.preferred_step
     for k in range(STAND):
         to = bearing_of(biped, walker, DIRECTIONS[k])
-        speed = _speed_in(round, walker, others, to.ahead_x, to.ahead_y)
+        speed = _speed_in(round, walker, scratch, to.ahead_x, to.ahead_y)
         enough = min(speed * most, to.longest)
         length[k] = min(enough, max(_room_in(walker, others, to, enough), least))
         if length[k] >= least:
@@ -168,7 +172,7 @@ def _lay(round: Round, walker: Walker, right: float, wished: Candidate, scratch:
     dx, dy = wished.x - walker.x, wished.y - walker.y
     far = hypot(dx, dy)
     if not (
-        wished.time > 0 and (far <= least or far <= HASTE * _speed_in(round, walker, others, dx / far, dy / far) * wished.time)
+        wished.time > 0 and (far <= least or far <= HASTE * _speed_in(round, walker, scratch, dx / far, dy / far) * wished.time)
     ):
         cost[WISH] = inf
 

@@ -18,8 +18,11 @@ class Weights(NamedTuple):
     """Of speed lost on the wished course; more of it presses on, and turns aside less."""
     turn: float = 0.15
     """Of a radian that the foot turns off the wished course, or the body goes off its heading: more of it walks straighter."""
-    gap: float = 1.2
+    gap: float = 0.9
     """Time gap kept to who is ahead, in swings: more of it follows from further behind, and flows less."""
+    ahead: float = 3.1
+    """How far one looks at how dense it is ahead, in strides, to walk as slowly as that tells: more of it speeds up sooner
+    where a throng ends ahead, and flows more; 0 does not look."""
     touch: float = 0.35
     """Of an early touch, per 1 / swings of time until then, at full speed: more of it swerves earlier and wider."""
     horizon: float = 6.0

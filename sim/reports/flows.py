@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.characters.character import load_character
+from motion.characters.character import Character, load_character
 from planner.modes.walk_to import WalkTo
 from planner.round.reservations import body_sizes
 from planner.round.weights import PEOPLE, Weights
@@ -57,10 +57,12 @@ def _facing(sim: Simulation) -> np.ndarray:
     return np.arctan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 
 
-def people(world: World, starts: np.ndarray, stops: np.ndarray, weights: Weights = PEOPLE, again: bool = False) -> Simulation:
+def people(
+    world: World, starts: np.ndarray, stops: np.ndarray, weights: Weights = PEOPLE, again: bool = False, seed: int = 1
+) -> Simulation:  # fmt: skip
     """Humans who walk from starts (C, 3) x, y, heading to stops (C, P, 2)."""
     planner = WalkTo(starts, stops, again=again, near=1.2)
-    return Simulation(world, [load_character("human")] * len(starts), planner, 1, weights=weights)
+    return Simulation(world, [load_character("human")] * len(starts), planner, seed, weights=weights)
 
 
 def walls(*lines: list[tuple[float, float]]) -> tuple[Wall, ...]:
@@ -83,7 +85,7 @@ def corner(count: int = 20) -> Simulation:
     return people(world, starts, stops[::-1][:, None])
 
 
-def ring(density: float, weights: Weights = PEOPLE) -> Simulation:
+def ring(density: float, weights: Weights = PEOPLE, seed: int = 1) -> Simulation:
     """People on a ring, `density` of them per square metre, all the same way round."""
     count, rows = round(2 * np.pi * RING * CORRIDOR * density), 6
     middle = RING + CORRIDOR / 2 + 1
@@ -99,7 +101,7 @@ def ring(density: float, weights: Weights = PEOPLE) -> Simulation:
     starts = np.column_stack([middle + radius * np.cos(angle), middle + radius * np.sin(angle), angle + np.pi / 2])
     on = angle[:, None] + np.arange(1, 25) * 2 * np.pi / 24
     stops = middle + radius[:, None, None] * np.stack([np.cos(on), np.sin(on)], axis=2)
-    return people(World("ring", (2 * middle, 2 * middle), walls=walls(*circles)), starts, stops, weights, again=True)
+    return people(World("ring", (2 * middle, 2 * middle), walls=walls(*circles)), starts, stops, weights, True, seed)
 
 
 def ring_speed(flow: Flow) -> float:
@@ -110,7 +112,7 @@ def ring_speed(flow: Flow) -> float:
     return float(way.mean() * PER_SECOND)
 
 
-def bottleneck(width: float, count: int = 100, neck: float = 1.0, weights: Weights = PEOPLE) -> Simulation:
+def bottleneck(width: float, count: int = 100, neck: float = 1.0, weights: Weights = PEOPLE, seed: int = 1) -> Simulation:
     """So many wait before a neck of this width and length [m], and go through it."""
     x, y = DOOR
     half = 0.5 * (width + THICK)
@@ -119,7 +121,7 @@ def bottleneck(width: float, count: int = 100, neck: float = 1.0, weights: Weigh
     k, (rows, behind, beside) = np.arange(count), (12, 0.55, 0.62) if count <= 250 else (16, 0.47, 0.59)
     starts = np.stack([x - 1.5 - behind * (k // rows), y + beside * (k % rows - 0.5 * (rows - 1)), 0.0 * k], axis=1)
     stops = np.stack([np.full(count, 38.0), y + np.clip(1.5 * (starts[:, 1] - y), -5.4, 5.4)], axis=1)
-    return people(World("bottleneck", (40.0, 2 * y), walls=walls(left, right)), starts, stops[:, None], weights)
+    return people(World("bottleneck", (40.0, 2 * y), walls=walls(left, right)), starts, stops[:, None], weights, seed=seed)
 
 
 def specific_flow(flow: Flow, width: float) -> float:
@@ -130,13 +132,26 @@ def specific_flow(flow: Flow, width: float) -> float:
     return float((b - a) / max(through[b] - through[a], 1e-9) / width) if b > a + 5 else 0.0
 
 
+def kinds_of(names: tuple[str, ...]) -> tuple[list[Character], float]:
+    """Characters of these names, and how much wider than people the widest of them is."""
+    kinds = [load_character(name) for name in names]
+    return kinds, float(max(body_sizes(one.biped)[1] for one in kinds) / body_sizes(load_character("human").biped)[1])
+
+
+def by_turns(
+    world: World, kinds: list[Character], starts: np.ndarray, stops: np.ndarray, weights: Weights, scale: float, seed: int
+) -> Simulation:  # fmt: skip
+    """Characters of these kinds by turns, so much wider than people, who walk from starts (C, 3) to stops (C, P, 2)."""
+    who = [kinds[c % len(kinds)] for c in range(len(starts))]
+    return Simulation(world, who, WalkTo(starts, stops, near=1.2 * scale), seed, weights=weights)
+
+
 def counterflow(
     count: int, gap: float = 3.0, weights: Weights = PEOPLE, names: tuple[str, ...] = ("human",), seed: int = 1
 ) -> Simulation:
     """So many a side go against each other through a gap of this width [m]: characters of these names by turns; all lengths
     are as much larger as the widest of them is wider than people."""
-    kinds = [load_character(name) for name in names]
-    scale = max(body_sizes(one.biped)[1] for one in kinds) / body_sizes(load_character("human").biped)[1]
+    kinds, scale = kinds_of(names)
     rows = 8 if count > 40 else 4
     columns = -(-count // rows)
     size = (2 * (1.6 * columns + 6.0), max(14.0, 1.6 * rows + 4))
@@ -151,9 +166,7 @@ def counterflow(
     begin[:, :2] *= scale
     lines = [[(scale * x, scale * v) for v in ends] for ends in ((0, y - half), (size[1], y + half))]
     world = World("counterflow", (scale * size[0], scale * size[1]), walls=walls(*lines))
-    who = [kinds[c % len(kinds)] for c in range(len(begin))]
-    planner = WalkTo(begin, scale * (end + (x, y))[:, None], near=1.2 * scale)
-    return Simulation(world, who, planner, seed, weights=weights)
+    return by_turns(world, kinds, begin, scale * (end + (x, y))[:, None], weights, scale, seed)
 
 
 def last_through(flow: Flow) -> float:

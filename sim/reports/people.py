@@ -1,7 +1,12 @@
 """A figure of ours beside people's."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from functools import partial
+from statistics import median
 from typing import Any, NamedTuple
+
+SEEDS = (1, 2, 3)
+"""Figures that chance changes are medians over these seeds; where nothing may last longer than a bound, maxima over them."""
 
 
 class Case(NamedTuple):
@@ -61,3 +66,26 @@ class Weighed(NamedTuple):
     box: tuple[float, float, float, float]  # what is shown: least and largest x, least and largest y [m]
     drawn: str  # WAYS, BODIES or STANDING
     moment: float  # at which bodies are shown [s]
+
+
+Figure = Callable[[list[Any]], float]
+"""Of all simulations of a case."""
+
+
+def by_seeds(*runs: Callable[..., Any], seeds: tuple[int, ...] = SEEDS) -> list[Callable[[Any], Any]]:
+    """The same simulations with one seed after the other."""
+    return [partial(run, seed=seed) for seed in seeds for run in runs]
+
+
+def median_of(figure: Figure, runs: int = 1) -> Figure:
+    """The median of the figures of so many `runs` of each seed."""
+    return lambda all: float(median(figure(some) for some in _in_parts(all, runs)))
+
+
+def worst_of(figure: Figure, runs: int = 1) -> Figure:
+    """The largest of the figures of so many `runs` of each seed."""
+    return lambda all: max(figure(some) for some in _in_parts(all, runs))
+
+
+def _in_parts(all: list[Any], size: int) -> Iterator[list[Any]]:
+    return (all[k : k + size] for k in range(0, len(all), size))

@@ -7,12 +7,13 @@ flow of laboratory experiments; cases named RiMEA follow the guideline 4.1.1 (Ri
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
+from string import ascii_lowercase
 
 from planner.round.weights import PEOPLE, Weights
 from sim.files.outputs import whole
 from sim.reports import flows
 from sim.reports.flows import Flow
-from sim.reports.people import Case, Row
+from sim.reports.people import SEEDS, Case, Row, by_seeds, median_of, worst_of
 from sim.reports.rimea import cases as rimea
 from sim.reports.throngs import cases as throngs
 
@@ -27,7 +28,7 @@ LONGEST = 200.0
 
 def cases(quick: bool) -> list[Case]:
     """All, or a few that are soon done."""
-    seconds = 20.0 if quick else 40.0
+    seconds, seeds = (20.0, SEEDS[:1]) if quick else (40.0, SEEDS)
     corridor = Case("RiMEA 1: 40 m of corridor", "s", 26, 34, [_corridor], lambda all: float(all[0].time[-1]), 1)
     corner = Case("RiMEA 6: 20 around a corner, places in walls", "", 0, 0, [_corner], _first(flows.in_walls), 6)
     rings = [
@@ -35,8 +36,8 @@ def cases(quick: bool) -> list[Case]:
             f"RiMEA 4: speed at {density:g} per m^2",
             "m/s",
             *band,
-            [partial(_ring, density, seconds)],
-            _first(flows.ring_speed),
+            by_seeds(partial(_ring, density, seconds), seeds=seeds),
+            median_of(_first(flows.ring_speed)),
             4,
             shows="speeds",
             at=density,
@@ -44,8 +45,9 @@ def cases(quick: bool) -> list[Case]:
         for density, band in RING_BANDS.items()
     ]
     necks = [
-        Case(f"bottleneck {width:g} m wide: flow", "1/(m s)", 1.6, 2.1, [partial(_neck, width, 50 if quick else 100)],
-             _first(partial(flows.specific_flow, width=width)), 0, "two shoulders hardly pass",
+        Case(f"bottleneck {width:g} m wide: flow", "1/(m s)", 1.6, 2.1,
+             by_seeds(partial(_neck, width, 50 if quick else 100), seeds=seeds),
+             median_of(_first(partial(flows.specific_flow, width=width))), 0, "two shoulders hardly pass",
              "flows", width)
         for width in NECKS
     ]  # fmt: skip
@@ -55,8 +57,8 @@ def cases(quick: bool) -> list[Case]:
             "s",
             0,
             limit,
-            [partial(_against, count)],
-            _first(flows.last_through),
+            by_seeds(partial(_against, count), seeds=seeds),
+            worst_of(_first(flows.last_through)),
             16,
             "two streams jam before the gap",
             "lanes",
@@ -80,16 +82,16 @@ def _corner(weights: Weights) -> Flow:
     return flows.watched(flows.corner(), 40.0)
 
 
-def _ring(density: float, seconds: float, weights: Weights) -> Flow:
-    return flows.watched(flows.ring(density, weights), seconds)
+def _ring(density: float, seconds: float, weights: Weights, seed: int) -> Flow:
+    return flows.watched(flows.ring(density, weights, seed), seconds)
 
 
-def _neck(width: float, count: int, weights: Weights) -> Flow:
-    return flows.watched(flows.bottleneck(width, count, weights=weights), LONGEST, flows.DOOR[0] + 1.5)
+def _neck(width: float, count: int, weights: Weights, seed: int) -> Flow:
+    return flows.watched(flows.bottleneck(width, count, weights=weights, seed=seed), LONGEST, flows.DOOR[0] + 1.5)
 
 
-def _against(count: int, weights: Weights) -> Flow:
-    sim = flows.counterflow(count, weights=weights)
+def _against(count: int, weights: Weights, seed: int) -> Flow:
+    sim = flows.counterflow(count, weights=weights, seed=seed)
     return flows.watched(sim, LONGEST, sim.world.size[0] / 2)
 
 
@@ -110,7 +112,7 @@ def verify(
         if number in (None, case.number):
             found = [run(weights) for run in case.runs]
             for i, flow in enumerate(found if folder is not None else []):
-                with whole(Path(str(folder)) / f"{k + 1:02d}{'abc'[i] if len(found) > 1 else ''}.txt") as path:
+                with whole(Path(str(folder)) / f"{k + 1:02d}{ascii_lowercase[i] if len(found) > 1 else ''}.txt") as path:
                     path.write_text(flows.trajectories(flow), encoding="utf-8")
             row = Row(case.name, case.unit, case.figure(found), case.low, case.high, case.why)
             if seen is not None:

@@ -50,11 +50,11 @@ def room(of: Box, doors: list[tuple[str, float, float]]) -> tuple[Wall, ...]:
     return walls(*lines)
 
 
-def visited(world: World, traffic: Traffic, weights: Weights) -> Simulation:
+def visited(world: World, traffic: Traffic, weights: Weights, seed: int = SEED) -> Simulation:
     """A level's people, who are all there at first."""
     count = sum(one.at_first for one in traffic.source)
     planner = Visiting(traffic)
-    return Simulation(world, [planner.mix.characters[0]] * count, planner, SEED, weights=weights)
+    return Simulation(world, [planner.mix.characters[0]] * count, planner, seed, weights=weights)
 
 
 def watched(sim: Simulation, seconds: float) -> Flow:

@@ -14,7 +14,7 @@ MET = 9.0
 """Who is no further from the middle than this is where the streams meet [m]."""
 
 
-def two_ways(density: float, weights: Weights) -> Flow:
+def two_ways(density: float, weights: Weights, seed: int = 1) -> Flow:
     """Two streams, half of so many people per square metre each, along a corridor: until half of them have met nobody any more.
 
     Both are as dense as half of it at first, so that where they pass through each other they are as dense as is asked for.
@@ -28,7 +28,7 @@ def two_ways(density: float, weights: Weights) -> Flow:
     stops = np.concatenate([np.stack([x + 0 * back, aside + 3.5], 1) for x in (2 * half - 1.5, 1.5)])
     lines = [[(0.0, y), (2 * half, y)] for y in (3.5 + s * 0.5 * (CORRIDOR + flows.THICK) for s in (-1, 1))]
     world = World("two ways", (2 * half, 7.0), walls=flows.walls(*lines))
-    sim = flows.people(world, np.concatenate([east, west]), stops[:, None], weights)
+    sim = flows.people(world, np.concatenate([east, west]), stops[:, None], weights, seed=seed)
     return flows.watched(sim, (BEFORE + 0.75 * STREAM) / 1.1)
 
 
@@ -41,9 +41,11 @@ def met(flow: Flow) -> np.ndarray:
     return there & (np.minimum(*both) > 0.5 * np.maximum(*both))[:, None]
 
 
-def circle(count: int, apart: float, weights: Weights) -> Simulation:
-    """So many on a circle, so far from each other [m], walk to its opposite side."""
-    angle, radius = 2 * np.pi * np.arange(count) / count, apart * count / (2 * np.pi)
-    out, middle = radius * np.column_stack([np.cos(angle), np.sin(angle)]), radius + 4.0
+def circle(count: int, apart: float, weights: Weights, names: tuple[str, ...] = ("human",), seed: int = 1) -> Simulation:
+    """So many on a circle, so far from each other [m], walk to its opposite side: characters of these names by turns; all
+    lengths are as much larger as the widest of them is wider than people."""
+    kinds, scale = flows.kinds_of(names)
+    angle, radius = 2 * np.pi * np.arange(count) / count, scale * apart * count / (2 * np.pi)
+    out, middle = radius * np.column_stack([np.cos(angle), np.sin(angle)]), radius + 4.0 * scale
     starts, stops = np.column_stack([middle + out, angle + np.pi]), (middle - out)[:, None]
-    return flows.people(World("circle", (2 * middle, 2 * middle)), starts, stops, weights)
+    return flows.by_turns(World("circle", (2 * middle, 2 * middle)), kinds, starts, stops, weights, scale, seed)

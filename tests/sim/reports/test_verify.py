@@ -10,6 +10,7 @@ import main
 from planner.round.weights import NUMBERS, PEOPLE
 from sim.reports import flows
 from sim.reports.flows import Flow
+from sim.reports.people import by_seeds, median_of, worst_of
 from worlds.world import World
 
 DOCS = Path(__file__).parents[3] / "docs" / "crowds.md"
@@ -32,6 +33,13 @@ def test_the_speed_around_a_ring_is_known():
     angle, radius = time[:, None] * np.array([[0.1, 0.2]]), np.array([[6.0, 8.0]])
     place = 10 + radius[..., None] * np.stack([np.cos(angle), np.sin(angle)], axis=2)
     assert flows.ring_speed(Flow(time, place, World("w", (20.0, 20.0)))) == pytest.approx(1.1, rel=0.01)
+
+
+def test_figures_of_chance_are_of_several_seeds():
+    runs = by_seeds(lambda _, seed: seed, lambda _, seed: 10.0 * seed, seeds=(3, 1, 5))
+    found = [run(None) for run in runs]
+    assert found == [3, 30, 1, 10, 5, 50]
+    assert median_of(sum, 2)(found) == 33 and worst_of(sum, 2)(found) == 55 and worst_of(lambda one: one[0])(found) == 50
 
 
 def test_trajectories_tell_everyone_at_every_look():
