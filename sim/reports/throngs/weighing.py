@@ -122,9 +122,15 @@ def _door(weights: Weights) -> Flow:
     return flows.watched(sim, 60.0, sim.world.size[0] / 2, bodies=True)
 
 
-def _throng(weights: Weights) -> Flow:
-    """On a ring, three per square metre."""
-    return flows.watched(flows.ring(3.0, weights), 10.0, bodies=True)
+def _throng(density: float, weights: Weights) -> Flow:
+    """On a ring, so many per square metre."""
+    return flows.watched(flows.ring(density, weights), 10.0, bodies=True)
+
+
+def _pace(flow: Flow) -> float:
+    """How fast they get on at the end, on average [m/s]."""
+    later, sooner = flow.place[-1], flow.place[-1 - 2 * PER_SECOND]
+    return float(np.hypot(*(later - sooner).T).mean()) / 2
 
 
 def _standing(flow: Flow) -> float:
@@ -136,11 +142,15 @@ _FAN, _FILE, _PARTY = (2.6, 9.4, -1.4, 1.4), (16.8, 24.0, 0.7, 2.3), (3.2, 13.2,
 _ROUND, _DOOR = (0.0, 15.6, 3.2, 12.4), (3.5, 16.5, 4.0, 10.0)
 _HEAD_ON = partial(_meeting, (WAY, 0.0), (0.0, 0.0), (0.0, 0.6))
 _ACROSS = partial(_meeting, (6 - 4.2, -4.2), (6 + 4.2, 4.2), (0.9, 0.0))
+_RING: Box = (1.0, 19.0, 9.6, 19.2)
 _STANDS = partial(_meeting, (6.0, 0.0), (6.0, 0.0), (0.0, 0.6))
 SCENES = {
     "progress": Scene(_HEAD_ON, _apart, "presses on", "two who meet pass {:.2f} m apart", _FAN),
     "turn": Scene(_ACROSS, _aside, "walks straighter", "one evades another by {:.2f} m", _FAN),
     "gap": Scene(_file, _behind, "follows from further behind", "each {:.2f} m behind the next", _FILE, BODIES, 14.9),
+    "ahead": Scene(
+        partial(_throng, 2.0), _pace, "looks further for how dense it is", "get on at {:.2f} m/s", _RING, BODIES, 9.9
+    ),
     "touch": Scene(_HEAD_ON, _apart, "swerves wider", "two who meet pass {:.2f} m apart", _FAN),
     "horizon": Scene(_STANDS, _apart, "looks further ahead", "pass who stands {:.2f} m apart", _FAN),
     "near": Scene(_party, _nearest, "spreads out", "{:.2f} m to the nearest", _PARTY, BODIES, 4.9),
@@ -148,7 +158,7 @@ SCENES = {
     "side": Scene(_streams, _order, "parts streams into lanes", "order of lanes {:.2f}", (8.0, 20.0, 0.8, 5.2)),
     "around": Scene(_circle, _off_middle, "goes wider around", "up to {:.1f} m from the middle", _ROUND),
     "rank": Scene(_door, flows.last_through, "makes way sooner", "last through after {:.0f} s", _DOOR, BODIES, 20.0),
-    "stand": Scene(_throng, _standing, "shuffles on", "stand {:.1f} % of the time", (1.0, 19.0, 9.6, 19.2), STANDING, 9.9),
+    "stand": Scene(partial(_throng, 3.0), _standing, "shuffles on", "stand {:.1f} % of the time", _RING, STANDING, 9.9),
 }
 
 

@@ -97,7 +97,7 @@ def test_the_second_process_takes_what_is_left(monkeypatch):
 def test_one_who_is_alone_needs_no_way_around_others():
     world, bird = load_level("forest"), load_character("bird")
     alone, several = (Simulation(world, [bird] * count, Wander(), 1) for count in (1, 3))
-    assert alone.work.value.others == 0 and several.work.value.others == rounds.go_around.address
+    assert alone.work.value.others == 0 and several.work.value.others == rounds.go_around["steps"].address
     needed = [warmup.NEEDED[name] for name in ("wander", "wander of many", "river", "river of many")]
     assert [warmup.OTHERS in names for names in needed] == [False, True, False, True]
 
