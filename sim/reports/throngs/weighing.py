@@ -148,9 +148,7 @@ SCENES = {
     "progress": Scene(_HEAD_ON, _apart, "presses on", "two who meet pass {:.2f} m apart", _FAN),
     "turn": Scene(_ACROSS, _aside, "walks straighter", "one evades another by {:.2f} m", _FAN),
     "gap": Scene(_file, _behind, "follows from further behind", "each {:.2f} m behind the next", _FILE, BODIES, 14.9),
-    "ahead": Scene(
-        partial(_throng, 2.0), _pace, "looks further for how dense it is", "get on at {:.2f} m/s", _RING, BODIES, 9.9
-    ),
+    "ahead": Scene(partial(_throng, 2.0), _pace, "looks further ahead for throngs", "get on at {:.2f} m/s", _RING, BODIES, 9.9),
     "touch": Scene(_HEAD_ON, _apart, "swerves wider", "two who meet pass {:.2f} m apart", _FAN),
     "horizon": Scene(_STANDS, _apart, "looks further ahead", "pass who stands {:.2f} m apart", _FAN),
     "near": Scene(_party, _nearest, "spreads out", "{:.2f} m to the nearest", _PARTY, BODIES, 4.9),
