@@ -6,7 +6,7 @@ import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
 from motion.arithmetic.smooth import fade
-from motion.arithmetic.triples import Triple
+from motion.arithmetic.triples import Triple, dot, minus
 from motion.characters.dimensions import Dimensions
 from motion.pose import legs, swing
 from motion.pose.pose import Pose, point_of
@@ -149,16 +149,19 @@ def _keep_in_reach(lengths: Lengths, hip: Triple, s: float, kept: tuple[float, f
 
 @jit_inline
 def _tilt(biped: Dimensions, footprints: Footprints, n: int, u: float, hip: Triple, pose: Pose, c: int, leg: int) -> None:
-    """Tilts a foot whose leg would be too long, standing or nearly: about its heel while it comes down, then about its ball."""
+    """Tilts a foot whose leg would be too long, standing or nearly: about its heel while it comes down or the hip is behind it,
+    then about its ball. Where the hip passes over it the leg is shortest, so that neither tilts it and nothing jumps."""
     pitch, full = foot.strike_pitch(footprints, n, u), biped.leg.max_length
     if pitch < 0:  # it comes down about its ball
         return
     heel, ball, ankle = point_of(pose.heel, c, leg), point_of(pose.ball, c, leg), point_of(pose.ankle, c, leg)
-    tilt = tilt_of(heel, ball, ankle, hip, full) if pitch > 0 else tilt_of(ball, heel, ankle, hip, full)
+    behind = dot(minus(hip, ankle), minus(ball, heel)) < 0 and foot.heel_off_angle(biped, footprints, n, u) == 0
+    about_heel = pitch > 0 or behind
+    tilt = tilt_of(heel, ball, ankle, hip, full) if about_heel else tilt_of(ball, heel, ankle, hip, full)
     if tilt.by == 0:
         return
     _set(pose.ankle, c, leg, tilted(tilt, ankle))
-    if pitch > 0:
+    if about_heel:
         _set(pose.ball, c, leg, tilted(tilt, ball))
         _set(pose.toe, c, leg, tilted(tilt, point_of(pose.toe, c, leg)))
     else:

@@ -1,5 +1,5 @@
-"""A standing foot tilts further where the leg to it would be too long, on steep ground and in tight turns: while it comes down
-about its heel the toes stay up for longer, and later the heel rises about the ball.
+"""A standing foot tilts further where the leg to it would be too long, on steep ground and in tight turns: while the hip is
+behind it the toes stay up, about the heel, and later the heel rises about the ball.
 
 The pivot P stays, and the ankle A turns about it in the foot's own plane until its distance from the hip H is the length T that
 the leg may have. With a = A - P, of length r, and h, of length m, what of H - P lies in that plane, |H - A|^2 = T^2 says

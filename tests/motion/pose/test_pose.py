@@ -158,6 +158,23 @@ def test_no_foot_jumps_where_its_leg_is_too_long_for_its_landing(name):
     assert foot_up > strike + 0.01, "and it does tilt"
 
 
+@pytest.mark.parametrize("name", character_names())
+def test_a_foot_whose_leg_stays_too_long_does_not_change_over_from_heel_to_ball_at_once(name):
+    b, poses = load_character(name).biped, (empty_pose(1), empty_pose(1))
+    footprints = straight_walk(b)
+    footprints.strike[:] = 0.3
+    track, side = Track(footprints, solved(b, footprints)), footprints.side[7]
+    flat = footprints.contact_time[7] + foot.FLAT_BY * footprints.stance_time[7]
+    pose_into(b, track, flat, poses[0])
+    way = (poses[0].hip - poses[0].ankle)[0, side]
+    long = moved(track, np.sqrt((1.02 * b.leg.max_length) ** 2 - way[0] ** 2 - way[1] ** 2) - way[2])
+    for pose, t in zip(poses, (flat - 1e-6, flat + 1e-6), strict=True):
+        pose_into(b, long, t, pose)
+    for joint in ("heel", "ball", "toe", "ankle", "knee"):
+        assert np.abs(getattr(poses[0], joint) - getattr(poses[1], joint)).max() < 1e-4, joint
+    assert (poses[1].toe - poses[1].heel)[0, side, 2] > 0.01, "the toes are up"
+
+
 @pytest.mark.parametrize("name", [name for name in character_names() if load_character(name).biped.leg.metatarsus])
 def test_no_knee_is_kicked_where_a_leg_of_three_links_opens(name):
     b = load_character(name).biped
