@@ -18,7 +18,7 @@ from motion.arithmetic.angles import wrapped
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import Foot
 from planner.crowd.bodies import gap_between
-from planner.crowd.walker import Walker
+from planner.crowd.walker import Walker, squeeze
 from planner.round import reservations
 from planner.round.round import Round
 from planner.round.soles import Sole, sole_of
@@ -162,7 +162,9 @@ def _keeps_off(
     if abs(last[0] - rest[0]) > reach or abs(last[1] - rest[1]) > reach:
         return True
     face = (walker.face_x, walker.face_y)
-    least = min(_gap_to(held, walker, j, inf, (walker.rest_x, walker.rest_y), face), -walker.squeeze)
+    dx, dy = last[0] - rest[0], last[1] - rest[1]
+    off = max(hypot(dx, dy), APART)
+    least = min(_gap_to(held, walker, j, inf, (walker.rest_x, walker.rest_y), face), -squeeze(walker, dx / off, dy / off))
     if _gap_to(held, walker, j, inf, rest, turned) < least:
         return False
     for k in range(1, LOOKS + 1):

@@ -16,7 +16,7 @@ from planner.crowd import candidates, terms
 from planner.crowd.candidates import DIRECTIONS, QUICK, Bearing, Candidate, bearing_of, candidate, crosses, is_free, is_open
 from planner.crowd.neighbour import NEIGHBOUR, close_by, see
 from planner.crowd.sides import AGAINST, on_the_right, wrong_side
-from planner.crowd.walker import Walker
+from planner.crowd.walker import Walker, squeeze
 from planner.round.round import Round
 from worlds.compiled.jit import jit, jit_borrowing
 
@@ -148,7 +148,7 @@ def _room_in(walker: Walker, others: Any, to: Bearing, enough: float) -> float:
         way = terms.way_to(walker, others[i], px, py, to.ahead_x, to.ahead_y, NARROWER, 0.5 * enough)
         if way > 0:
             room = min(room, way)
-    return 2 * (room + walker.squeeze)
+    return 2 * (room + squeeze(walker, to.ahead_x, to.ahead_y))
 
 
 @jit_borrowing

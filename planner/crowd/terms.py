@@ -12,7 +12,7 @@ from typing import Any
 from motion.arithmetic.angles import wrapped
 from planner.crowd.bodies import extent, gap_between, way_to_touch
 from planner.crowd.candidates import Candidate
-from planner.crowd.walker import Walker
+from planner.crowd.walker import Walker, squeeze
 from worlds.compiled.jit import jit_borrowing, jit_inline
 
 SOON = 0.5
@@ -90,7 +90,7 @@ def speed_behind(walker: Walker, other: Any, dx: float, dy: float, time: float, 
     """
     far = time * max(other.vx * dx + other.vy * dy, 0.0)
     way = way_to(walker, other, other.x + far * dx, other.y + far * dy, dx, dy, SHOULDER, most * (gap + time))
-    return inf if way == inf else max(way + walker.squeeze, 0.0) / (gap + time)
+    return inf if way == inf else max(way + squeeze(walker, dx, dy), 0.0) / (gap + time)
 
 
 @jit_inline

@@ -3,18 +3,18 @@
 from math import cos, sin
 from typing import NamedTuple
 
-from planner.round.reservations import lag
+from planner.crowd.bodies import extent
+from planner.round.reservations import lag, strays
 from planner.round.round import Me, Round, biped_of
 from planner.stepping import timing
 from planner.stepping.beside import middle_beside
 from planner.stepping.footing import needs_care
 from worlds import queries
-from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.jit import jit_borrowing, jit_inline
 
-SQUEEZE, PRESSED = 0.25, 20
-"""Who was left nothing but to stand so often in a row presses so far into the room that bodies keep, in half depths of
-its own; less before. So an arch before a door gives way, as it does where people push."""
-
+SQUEEZE, PRESSED = 0.9, 20
+"""Who was left nothing but to stand so often in a row gives up this share of the room that its own body keeps, ahead and aside;
+less before. So an arch before a door gives way, as it does where people push. Aside there is less of it than ahead."""
 
 NEAREST = 0.95
 """Who is nearer to a tree, wall or border than half its width, as bodies sway, comes no nearer than this share of it."""
@@ -46,7 +46,8 @@ class Walker(NamedTuple):
     face_y: float
     deep: float  # half axes of the body [m]
     wide: float
-    squeeze: float  # how far it presses into the room that bodies keep [m]
+    press_deep: float  # how far it presses into the room that bodies keep, ahead and aside [m]
+    press_wide: float
     room: float  # from its middle to the nearest tree, wall, water or border [m]
     careful: bool  # the ground around the last footprint needs to be looked at
 
@@ -69,12 +70,19 @@ def walker_of(round: Round, me: Me, course: float) -> Walker:
     full = stride / timing.step_timing(biped, stride, 0.0, 0.0, False)[0]
     contact, overlap = newer.contact_time, older.contact_time + older.stance_time - newer.contact_time
     deep, wide = held.half[me.c, 0], held.half[me.c, 1]
-    squeeze = SQUEEZE * min(round.intents.stood[me.c] / PRESSED, 1.0) * deep
+    ahead, aside = strays(biped)
+    press = SQUEEZE * min(round.intents.stood[me.c] / PRESSED, 1.0)
     return Walker(
         me.c, 1 - newer.side, newer.x, newer.y, x, y, newer.heading, rest_x, rest_y, contact, contact + lag(biped), overlap,
-        _margin(half, room), full, False, 0.0, 0.0, me.hindered, course, cos(facing), sin(facing), deep, wide, squeeze, room,
-        careful,
+        _margin(half, room), full, False, 0.0, 0.0, me.hindered, course, cos(facing), sin(facing), deep, wide, press * ahead,
+        press * aside, room, careful,
     )  # fmt: skip
+
+
+@jit_inline
+def squeeze(w: Walker, dx: float, dy: float) -> float:
+    """How far it presses into the room that bodies keep, in the direction of a unit vector [m]."""
+    return extent((w.press_deep, w.press_wide), (w.face_x, w.face_y), dx, dy) if w.press_deep > 0 else 0.0
 
 
 @jit_borrowing
@@ -82,5 +90,6 @@ def calmed(w: Walker, wish_x: float, wish_y: float) -> Walker:
     """The same, who wishes for no more than that velocity [m/s]."""
     return Walker(
         w.c, w.side, w.foot_x, w.foot_y, w.x, w.y, w.heading, w.rest_x, w.rest_y, w.time, w.there, w.overlap, w.margin, w.full,
-        True, wish_x, wish_y, w.hindered, w.course, w.face_x, w.face_y, w.deep, w.wide, w.squeeze, w.room, w.careful,
+        True, wish_x, wish_y, w.hindered, w.course, w.face_x, w.face_y, w.deep, w.wide, w.press_deep, w.press_wide,
+        w.room, w.careful,
     )  # fmt: skip

@@ -107,6 +107,12 @@ def halves(bipeds: Any) -> np.ndarray:
 
 
 @jit_borrowing
+def strays(biped: Dimensions) -> tuple[float, float]:
+    """How far the com strays from its path, along it and across it [m]: the room that a body keeps beyond its size."""
+    return AHEAD * biped.body.radius, STRAY * biped.gait.step_width
+
+
+@jit_borrowing
 def lag(biped: Dimensions) -> float:
     """How much later than a foot lands the body comes to the middle of the two [s]."""
     return LAG * pendulum_time(biped.timing.hip_height)

@@ -103,7 +103,7 @@ def cases() -> list[Case]:
              lambda all: flows.specific_flow(all[0], 3.0)),
         *(Case(f"{EACH} {who} on a circle change places: longest standstill", "s", 0.0, 6.0,
                by_seeds(partial(swap, names=names)), worst_of(partial(_still, flows.kinds_of(names)[1])),
-               why="some are content with a place a little further from theirs", shows="circle")
+               shows="circle")
           for who, names in KINDS.items()),
         *(Case(f"counterflow, 30 {who} a side: longest standstill", "s", 0.0, 15.0, _all_seeds(30, names), worst_of(_stands))
           for who, names in KINDS.items()),

@@ -45,13 +45,15 @@ def around(held, world, plans=0):
     return Round(np.zeros(count, np.int64), TABLE, world.arrays, plans, held, empty(Intents, count), 0, weights)
 
 
-def there(x, y, stops, reached=0, again=False, trees=(), hindered=0):
-    """Whether a walker from 2, 5 that is at x, y has come to its stop."""
+def there(x, y, stops, reached=0, again=False, trees=(), hindered=0, other=(1.0, 11.0)):
+    """Whether a walker from 2, 5 that is at x, y has come to its stop, where another one stands elsewhere."""
     world = World("plain", (12.0, 12.0), trees=np.array(trees).reshape(-1, 3))
-    situation = Situation(world, [BIRD], empty(Footprints, 1, 2), np.zeros(1), 1)
-    plans = WalkTo([(2, 5, 0.0)], [stops], again=again).prepare(situation)
+    situation = Situation(world, [BIRD] * 2, empty(Footprints, 2, 2), np.zeros(2), 1)
+    plans, held = WalkTo([(2, 5, 0.0)] * 2, [stops] * 2, again=again).prepare(situation), nothing_held()
+    held.path[0, :, :2], held.path[1, :, :2] = (x, y), other
+    sort_into_cells(held)
     feet = Feet(Foot(0, 0.0, 0.0, 0.0, 0.0, 0.0), Foot(1, 0.0, 0.0, 0.0, 0.0, 0.0))
-    return is_there(around(nothing_held(1), world, plans), Me(0, 3, True, hindered, feet), reached, (float(x), float(y)))
+    return is_there(around(held, world, plans), Me(0, 3, True, hindered, feet), reached, (float(x), float(y)))
 
 
 def test_a_stop_on_the_way_that_lies_behind_is_reached():
@@ -67,6 +69,16 @@ def test_a_stop_to_the_side_is_passed_by_whom_others_keep_off_it():
     on = [(6, 5), (10, 5)]
     assert there(5.0, 7, on, hindered=1) and not there(5.0, 7, on) and not there(3.0, 7, on, hindered=9)
     assert not there(5.0, 7, on, hindered=1, trees=[(7.5, 6.0, 0.5)])
+
+
+def test_content_with_a_place_near_its_stop_is_who_finds_it_taken():
+    stride = float(BIRD.biped.gait.preferred_step)
+    near = 6 - 1.2 * stride
+    assert there(6 - 0.4 * stride, 5, [(6, 5)]) and not there(near, 5, [(6, 5)], other=(6.0, 5.0))
+    assert not there(near, 5, [(6, 5)], hindered=8), "however long others kept it from getting on before"
+    assert there(near, 5, [(6, 5)], hindered=8, other=(6.0, 5.0))
+    assert there(near, 5, [(6, 5)], hindered=8, other=(6 - 0.6 * stride, 5.0)), "nor where another stands in the way to it"
+    assert not there(near, 5, [(6, 5)], hindered=8, other=(6 - 1.8 * stride, 5.0)), "behind it nobody is in its way"
 
 
 def test_nobody_slows_down_for_a_stop_on_the_way():
@@ -223,5 +235,5 @@ def test_who_has_arrived_lets_others_by():
         if before[0] > 6.5 and not sim.crowd.standing[1]:
             aside = max(aside, abs(now[0, 1] - 2.5))
         before = now[:, 0]
-    assert aside > 0.1 and np.hypot(*(sim.com()[1, :2] - stops[1][0])) < 1.0, "nearly, as hindered as it was"
+    assert aside > 0.1 and np.hypot(*(sim.com()[1, :2] - stops[1][0])) < 0.5, "however hindered it was on its way"
     assert sim.crowd.standing.all() and np.hypot(*(sim.com()[0, :2] - stops[0][0])) < 1.0

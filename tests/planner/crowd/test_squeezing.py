@@ -8,9 +8,10 @@ from planner.crowd import terms
 from planner.crowd.bodies import gap_between
 from planner.crowd.candidates import bearing_of, candidate
 from planner.crowd.choosing import _room_in
-from planner.crowd.walker import PRESSED, SQUEEZE, walker_of
+from planner.crowd.walker import PRESSED, SQUEEZE, squeeze, walker_of
+from planner.round.reservations import strays
 from planner.round.round import Me
-from tests.planner.crowd.test_avoiding import around, nothing_held
+from tests.planner.crowd.test_avoiding import TABLE, around, nothing_held
 from tests.planner.crowd.test_terms import LONG, B, other, waiting
 from worlds.world import World
 
@@ -41,10 +42,11 @@ def test_who_has_long_stood_presses_into_the_room_that_bodies_keep():
     feet = Feet(Foot(0, 5.0, 5.07, 0.0, 0.0, 0.5), Foot(1, 5.0, 4.93, 0.0, 0.5, 0.5))
     held = nothing_held(1)
     round = around(held, World("plain", (12.0, 12.0)))
-    pressed = []
+    pressed, keeps = [], strays(TABLE[0])
     for stood in (0, PRESSED // 2, PRESSED, 3 * PRESSED):
         round.intents.stood[0] = stood
-        pressed.append(walker_of(round, Me(0, 3, True, 0, feet), 0.0).squeeze)
-    np.testing.assert_allclose(pressed, SQUEEZE * held.half[0, 0] * np.array([0, 0.5, 1, 1]))
+        me = walker_of(round, Me(0, 3, True, 0, feet), 0.0)
+        pressed.append((squeeze(me, 1.0, 0.0), squeeze(me, 0.0, 1.0)))
+    np.testing.assert_allclose(pressed, SQUEEZE * np.outer([0, 0.5, 1, 1], keeps), err_msg="never into bodies")
     touching = other(0.25, 0.0)
-    assert speed(waiting(), touching) == 0 < speed(waiting()._replace(squeeze=0.08), touching)
+    assert speed(waiting(), touching) == 0 < speed(waiting()._replace(press_deep=0.08, press_wide=0.04), touching)

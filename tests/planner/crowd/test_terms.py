@@ -75,6 +75,7 @@ def waiting(hindered=0, side=0, course=0.0):
         0.15,
         0.25,
         0.0,
+        0.0,
         9.0,
         False,
     )
