@@ -18,11 +18,32 @@ from motion.arithmetic.gravity import GRAVITY
 
 _NEARLY_PARALLEL = 1e-9
 """Legs whose 1 - k^2 is less than this are one leg."""
+LEAST = 0.3
+"""Upward forces below so many body weights slip over nothing that matters."""
 
 
 def needed_force(acceleration: np.ndarray) -> np.ndarray:
     """w = a - g (F, 3) [N/kg] of accelerations (F, 3) of the centre of mass [m/s^2]."""
     return acceleration + np.array([0.0, 0.0, GRAVITY])
+
+
+def friction(needed: np.ndarray) -> np.ndarray:
+    """What forces (F, 3), of any unit of weight in which one is 1, need of the ground: level by upward, (F,); 0 where the
+    upward one is below LEAST."""
+    level, upward = np.hypot(needed[:, 0], needed[:, 1]), needed[:, 2]
+    return np.where(upward < LEAST, 0.0, level / np.maximum(upward, LEAST))
+
+
+def demands(acceleration: np.ndarray) -> dict[str, float]:
+    """What a motion asks of its legs and the ground, of accelerations (F, 3) [m/s^2]: the largest force and its largest change
+    from one frame to the next, in body weights, and the friction."""
+    needed = needed_force(acceleration) / GRAVITY
+    changes = np.linalg.norm(np.diff(needed, axis=0), axis=1)
+    return {
+        "force": float(np.linalg.norm(needed, axis=1).max()),
+        "force_change": float(changes.max(initial=0.0)),
+        "friction": float(friction(needed).max()),
+    }
 
 
 def supporting_forces(

@@ -38,8 +38,11 @@ SHORTEST_STEP = 0.75
 """Step time of a walk in pendulum times of the hip's height: shorter is scurrying."""
 LEAST_SWING = 0.9
 """Shortest time for a swing, in pendulum times."""
-PUSH, LEAST_PUSH, COVER = 0.9, 0.5, 1.3
+PUSH, LEAST_PUSH, COVER = 1.0, 0.5, 1.3
 """Stance before a leap: longest and shortest, in pendulum times, and in times that the leg's reach is crossed at its speed."""
+GAIN, UPWARD = 0.4, 0.82
+"""Speeds, in sqrt(g h): what the push before a leap adds (more needs more friction than dry soles give); with which one takes
+off upward at most, as people who jump as high as they can (2.4 to 2.7 m/s: Bobbert & van Ingen Schenau 1988)."""
 ALONE = 0.38
 """Shortest time, in pendulum times, for which a foot pushes alone before a flight: the other one, which is to land, is ahead by
 then. From a stand one shifts the weight for long, and the leg that was left behind would be torn off the ground."""
@@ -175,7 +178,7 @@ def step_timing(
     law = biped.timing
     slower = 1 + law.turn_slowdown * turn + law.rise_slowdown * max(rise, 0.0) / law.hip_height
     if length > (RUNNERS_LEAP if running else 1.0) * biped.reach.leap_length or same_side:
-        return _leap(biped, length, rise, slower)
+        return _leap(biped, length, rise, slower, before)
     step = _time(biped, length, rise, longest, before) * slower
     froude = froude_number(length, step, law.hip_height)
     return step, _snap(step, 2 * duty_factor(froude, law.gait_smoothness, law.walking_duty) * step)
@@ -186,7 +189,7 @@ def level_time(biped: Dimensions, length: float, turn: float, longest: float) ->
     """The step time [s] of `step_timing` on level ground, alone."""
     slower = 1 + biped.timing.turn_slowdown * turn
     if length > biped.reach.leap_length:
-        return _leap(biped, length, 0.0, slower)[0]
+        return _leap(biped, length, 0.0, slower, inf)[0]
     return _time(biped, length, 0.0, longest, inf) * slower
 
 
@@ -205,12 +208,26 @@ def _time(biped: Dimensions, length: float, rise: float, longest: float, before:
 
 
 @jit_borrowing
-def _leap(biped: Dimensions, length: float, rise: float, slower: float) -> tuple[float, float]:
-    """Ballistic: d = v^2 sin(2 alpha) / g gives t^2 = 2 (d tan(alpha) - rise) / g; part of d is covered while standing."""
+def _leap(biped: Dimensions, length: float, rise: float, slower: float, before: float) -> tuple[float, float]:
+    """Part of the way is covered while standing, at the mean of the flight's speed and that of the step before [m/s], at most
+    the flight's: so who comes slowly pushes for longer, as well as off more steeply."""
     from_length, unit = biped.reach.leap_length, hip_pendulum(biped)
     distance = max(length - 0.5 * from_length, 0.3 * length)
-    lowest = 0.04 * biped.timing.hip_height
-    flight = sqrt(2 * max(distance * tan(biped.timing.takeoff_angle) - rise, lowest) / GRAVITY)
-    crossing = 0.5 * from_length * flight / distance
-    stance = min(max(COVER * crossing, LEAST_PUSH * unit), PUSH * unit) * slower
+    flight = _flight(biped, distance, rise, before)
+    speed = distance / flight
+    crossing = from_length / (speed + min(before, speed))
+    stance = min(max(COVER * crossing, LEAST_PUSH * unit) * slower, PUSH * unit)
     return stance + flight, stance
+
+
+@jit_borrowing
+def _flight(biped: Dimensions, distance: float, rise: float, before: float) -> float:
+    """Time [s] of a flight over that distance [m]. Ballistic: d = v^2 sin(2 alpha) / g gives t^2 = 2 (d tan(alpha) - rise) / g.
+
+    alpha is the character's take-off angle; whoever comes at a speed before [m/s] to which the push cannot add enough takes off
+    as much more steeply, within what the legs can do: g t / 2 + rise / t upward.
+    """
+    law, unit = biped.timing, sqrt(GRAVITY * biped.timing.hip_height)
+    usual = sqrt(2 * max(distance * tan(law.takeoff_angle) - rise, 0.04 * law.hip_height) / GRAVITY)
+    highest = UPWARD * unit + sqrt(max(UPWARD * unit * UPWARD * unit - 2 * GRAVITY * rise, 0.0))
+    return max(usual, min(distance / (before + GAIN * unit), highest / GRAVITY))

@@ -12,14 +12,13 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.arithmetic.gravity import GRAVITY
+from motion.measures.forces import friction, needed_force
 from motion.track.footprints import LEFT
 from sim.stage.performance import Performance
 from worlds.errors import InputError
 
 ANGLES = ("hip_flexion", "knee_flexion", "ankle_dorsiflexion")
 PERCENT = np.linspace(0, 100, 201)
-LEAST = 0.3
-"""Upward forces below so many body weights slip over nothing that matters."""
 
 
 class Cycle(NamedTuple):
@@ -28,7 +27,7 @@ class Cycle(NamedTuple):
     percent: np.ndarray  # (K,) of the stride
     angles: dict[str, np.ndarray]  # of ANGLES, (K,) [deg]
     force: np.ndarray  # (K,) upward, of both feet, in body weights
-    friction: np.ndarray  # (K,) that the force needs of the ground: level by upward; 0 where that is below LEAST
+    friction: np.ndarray  # (K,) that the force needs of the ground: level by upward; 0 where that is little
     speed: float  # [m/s]
     duty: float  # share of the stride that the foot stands
 
@@ -46,13 +45,11 @@ def cycle(show: Performance, n: int) -> Cycle:
     thigh, shank = (_hanging(points[b] - points[a]) for a, b in (("hip", "knee"), ("knee", "ankle")))
     sole = points["ball"] - points["heel"]
     pitch = np.degrees(np.arctan2(sole[:, 2], np.hypot(sole[:, 0], sole[:, 1])) * np.sign(sole[:, 0] + 1e-12))
-    needed = np.array([pose.com_acceleration[0] for pose in poses]) / GRAVITY + (0, 0, 1)
-    force, level = needed[:, 2], np.hypot(needed[:, 0], needed[:, 1])
-    friction = np.where(force < LEAST, 0.0, level / np.maximum(force, LEAST))
+    needed = needed_force(np.array([pose.com_acceleration[0] for pose in poses])) / GRAVITY
     way = np.linalg.norm(footprints.position[n + 2, :2] - footprints.position[n, :2])
     angles = dict(zip(ANGLES, (thigh, thigh - shank, pitch - shank), strict=True))
     duty = footprints.stance_time[n] / (end - begin)
-    return Cycle(PERCENT, angles, force, friction, float(way / (end - begin)), float(duty))
+    return Cycle(PERCENT, angles, needed[:, 2], friction(needed), float(way / (end - begin)), float(duty))
 
 
 def _hanging(way: np.ndarray) -> np.ndarray:

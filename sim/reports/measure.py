@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.measures import gait, joints, quality
+from motion.measures import forces, gait, joints, quality
 from motion.track.footprints import Footprints
 from sim.files.recording import UNEVEN, Recording
 from worlds import queries
@@ -23,7 +23,7 @@ _DIMENSIONS = (
 )  # fmt: skip
 _LARGEST = (
     "stance_slide", "skate", "footprint_error", "contact_error", "penetration", "overreach", "flight_residual",
-    "physics_cost_error",
+    "physics_cost_error", "force", "force_change", "friction",
 )  # fmt: skip
 _LEAST = ("swing_clearance", "clearance_share", "shank_gap", "tree_distance", "water_distance", "border_distance", "speed")
 
@@ -97,6 +97,7 @@ def _character(recording: Recording, part: Part, grounds: "Grounds") -> dict:
         "physics_cost": quality.by_phase(a["physics_cost"], a["phase"]),
         "physics_cost_error": float(np.abs(again - a["physics_cost"]).max()),
         "comfort_cost": float(a["comfort_cost"].mean()),
+        **forces.demands(a["com_acceleration"]),
         "flight_residual": quality.flight_residual(a["com_acceleration"], a["phase"]),
         "gait": gait.report(footprints, time, a["com"], a["phase"], dimensions["hip_height"]),
         **_places(footprints, grounds),

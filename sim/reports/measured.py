@@ -10,6 +10,7 @@ _WORST = {
     "swing_clearance": ("clearance of the toe", 1e3, "mm"), "clearance_share": ("of the sole", 100.0, "% of the leg"),
     "shank_gap": ("shanks apart", 1e3, "mm"), "tree_distance": ("nearest tree", 1.0, "m"),
     "water_distance": ("water", 1.0, "m"), "border_distance": ("border", 1.0, "m"), "speed": ("slowest", 1.0, "m/s"),
+    "force": ("force", 1.0, "body weights"), "force_change": ("its change", 1.0, "a frame"), "friction": ("friction", 1.0, ""),
     "mean_physics_cost": ("mean physics cost", 1.0, "m/s^2"),
     **{f"{name}_acceleration_ratio": (f"{name} peak", 1.0, "times its 99th percentile")
        for name in ("hip", "knee", "hock", "ankle")},
@@ -56,7 +57,8 @@ def _character_in_words(one: dict) -> list[str]:
         f"overreach {1e3 * one['overreach']:.1f} mm, shanks {1e3 * one['shank_gap']:.0f} mm apart beyond their radii",
         *(_joint_in_words(name, joint) for name, joint in one["joints"].items()),
         f"    physics cost {costs['all']['mean']:.3f} mean, {costs['all']['peak']:.2f} peak m/s^2; "
-        f"flight |a - g| {one['flight_residual']:.3f} m/s^2",
+        f"flight |a - g| {one['flight_residual']:.3f} m/s^2; force {one['force']:.2f} body weights at most, changes by "
+        f"{one['force_change']:.3f} a frame, needs friction {one['friction']:.2f}",
         f"    nearest tree {one['tree_distance']:.2f} m, water {one['water_distance']:.2f} m, "
         f"border {one['border_distance']:.2f} m",
     ]

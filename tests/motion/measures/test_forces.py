@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import nnls
 
 from motion.arithmetic.gravity import GRAVITY
-from motion.measures.forces import impulses, needed_force, supporting_forces
+from motion.measures.forces import demands, impulses, needed_force, supporting_forces
 from motion.pose.pose import Pose
 from planner.script.scene import load_scene, scene_names
 from sim.stage.performance import Performance
@@ -65,3 +65,14 @@ def test_a_foot_in_the_air_carries_nothing_and_impulse_begins_anew():
     end = begin + 1 + np.flatnonzero(~pose.contact[begin + 1 :, 0])[0]
     np.testing.assert_allclose(impulse[end - 1, 0], np.trapezoid(force[begin:end, 0], time[begin:end], axis=0))
     assert impulse[end - 1, 0, 2] > 1.0
+
+
+def test_what_a_motion_demands_of_legs_and_ground():
+    """At rest its weight; pushed aside by 3 m/s^2 friction for that; where it nearly falls, none."""
+    acceleration = np.zeros((5, 3))
+    rest = demands(acceleration)
+    assert rest["force"] == pytest.approx(1) and rest["force_change"] == 0 and rest["friction"] == 0
+    acceleration[2], acceleration[4] = [0.0, 3.0, 0.0], [5.0, 0.0, -0.9 * GRAVITY]
+    asked = demands(acceleration)
+    assert asked["force"] == pytest.approx(np.hypot(1, 3 / GRAVITY)) and asked["friction"] == pytest.approx(3 / GRAVITY)
+    assert asked["force_change"] == pytest.approx(np.hypot(5 / GRAVITY, 0.9)) and demands(acceleration[:1])["force"] == 1

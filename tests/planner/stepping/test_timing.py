@@ -38,6 +38,17 @@ def test_a_leap_is_ballistic():
     assert flight == pytest.approx(np.sqrt(2 * distance * np.tan(HUMAN.timing.takeoff_angle) / 9.81))
 
 
+def test_who_comes_slowly_pushes_for_longer_and_leaps_more_steeply():
+    """Down to a stand, from which one takes off upward as fast as legs can; who comes as fast as the flight leaps as ever."""
+    upward = timing.UPWARD * np.sqrt(9.81 * HUMAN.timing.hip_height)
+    usual = timing.step_timing(HUMAN, 1.8, 0.0, 0.0, False)
+    assert timing.step_timing(HUMAN, 1.8, 0.0, 0.0, False, before=4.0) == usual
+    times = np.array([timing.step_timing(HUMAN, 1.8, 0.0, 0.0, False, before=before) for before in (3.0, 2.0, 1.5, 1.0, 0.0)])
+    stances, flights = times[:, 1], times[:, 0] - times[:, 1]
+    assert np.all(np.diff(stances) >= 0) and stances[-1] > 1.2 * usual[1]
+    assert np.all(np.diff(flights) >= 0) and flights[-1] == pytest.approx(2 * upward / 9.81)
+
+
 def test_climbs_and_turns_take_longer():
     flat = timing.step_timing(HUMAN, 0.7, 0.0, 0.0, False)[0]
     assert timing.step_timing(HUMAN, 0.7, 0.2, 0.0, False)[0] > flat
