@@ -8,25 +8,19 @@ from motion.characters.character import Character
 from planner.modes.stops import Stops, check_stops, check_ways, empty_stops, is_last_stop, stop_of
 from planner.planner import Situation, as_numbers
 from planner.round.kernel import Compiled
-from planner.round.reservations import COMMITTED, line_distance, neighbours
-from planner.round.round import PATIENT, Me, Round, Wish, biped_of
-from planner.stepping.arriving import arrive, drawn, sees, walk_down, walk_on
+from planner.round.round import Me, Round, Wish, biped_of
+from planner.stepping.arriving import arrive, drawn, is_content, sees, walk_down, walk_on
 from planner.stepping.beside import Place, middle_beside
 from planner.stepping.field import course_down, fields_to, for_all
 from planner.stepping.finding import surely
 from planner.stepping.steering import Onward, free_way, lengthened
 from worlds import queries
 from worlds.arrays import STAIRS, WorldArrays
-from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.jit import jit_borrowing
 from worlds.errors import InputError
 from worlds.limits import LONGEST, number
 from worlds.world import World
 
-THERE, CONTENT = 0.5, 0.25
-"""A walker is at its last stop within this share of its preferred step, and more for every step that others hindered while one
-of them is in its way there."""
-CROWDED, WIDEST = 32, 4.0
-"""Among more than so many one's place is taken; others reach no further to it than so many of one's own half widths."""
 FORESIGHT, GLANCE = 3.0, 0.4
 """Others are told where the way leads in so many preferred steps, found in steps of so many."""
 ABEAM = 0.7
@@ -36,27 +30,13 @@ ABEAM = 0.7
 @jit_borrowing
 def is_there(round: Round, me: Me, reached: int, middle: Place) -> bool:
     """Whether the walker has come to the stop that it walks to after so many, or past it on its way."""
-    plans, c, stride = round.plans, me.c, biped_of(round, me).gait.preferred_step
+    plans, c = round.plans, me.c
     stop = stop_of(plans, c, reached)
-    far = hypot(plans.stops[c, stop, 0] - middle[0], plans.stops[c, stop, 1] - middle[1])
+    goal = plans.stops[c, stop, 0], plans.stops[c, stop, 1]
     if is_last_stop(plans, c, reached):
-        content = (THERE + CONTENT * min(me.hindered, PATIENT)) * stride
-        return far < content and (far < THERE * stride or _is_taken(round, me, middle, far, stop))
+        return is_content(round, me, middle, goal)
+    far = hypot(goal[0] - middle[0], goal[1] - middle[1])
     return far < plans.near[c] or _is_past(round, me, reached, middle, ABEAM if me.hindered > 0 else 0.0)
-
-
-@jit
-def _is_taken(round: Round, me: Me, middle: Place, far: float, stop: int) -> bool:
-    """Whether another rests on a stop, `far` away [m], or on the straight way to it."""
-    held, c, near = round.reservations, me.c, np.empty(CROWDED, np.int64)
-    dx, dy = round.plans.stops[c, stop, 0] - middle[0], round.plans.stops[c, stop, 1] - middle[1]
-    count = neighbours(held, c, min(far + WIDEST * held.half[c, 1], held.reach), near)
-    for i in range(count):
-        x, y = held.path[near[i], COMMITTED - 1, 0] - middle[0], held.path[near[i], COMMITTED - 1, 1] - middle[1]
-        apart = held.half[c, 1] + held.half[near[i], 1]
-        if x * dx + y * dy > 0 and line_distance(x, y, x - dx, y - dy) < apart:
-            return True
-    return count < 0
 
 
 @jit_borrowing

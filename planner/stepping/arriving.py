@@ -6,7 +6,8 @@ import numpy as np
 
 from motion.arithmetic.angles import unwrapped
 from motion.characters.dimensions import Dimensions
-from planner.round.round import Me, Round, Wish, biped_of, standing
+from planner.round.reservations import COMMITTED, line_distance, neighbours
+from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing
 from planner.stepping import random
 from planner.stepping.beside import Place, middle_beside
 from planner.stepping.field import course_down
@@ -14,7 +15,7 @@ from planner.stepping.finding import surely
 from planner.stepping.steering import LOOK_STEPS, Onward, free_way, lengthened, step_toward, step_within
 from worlds import queries
 from worlds.arrays import WorldArrays
-from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.jit import jit, jit_borrowing
 
 STAND_TIME = 0.5
 """A standing character plans again after this time [s]."""
@@ -22,6 +23,11 @@ AT_HAND = 0.2
 """Down a field one looks so many preferred steps ahead: it knows of what lies beyond."""
 SIGHT = 6.0
 """A stop that is nearer than so many preferred steps, and to be seen, is walked to straight."""
+THERE, CONTENT = 0.5, 0.25
+"""A walker is at the place where it stays within this share of its preferred step, and more for every step that others hindered
+while one of them is in its way there."""
+CROWDED, WIDEST = 32, 4.0
+"""Among more than so many one's place is taken; others reach no further to it than so many of one's own half widths."""
 TOGETHER = 0.2
 """Who has arrived brings its feet to within this share of its preferred step of being beside each other."""
 
@@ -65,6 +71,29 @@ def sees(round: Round, me: Me, middle: Place, stop: Place) -> bool:
     far, (x, y) = hypot(dx, dy), middle
     margin = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01)
     return far < SIGHT * biped.gait.preferred_step and free_way(biped, round.world, x, y, atan2(dy, dx), margin, far) >= far
+
+
+@jit_borrowing
+def is_content(round: Round, me: Me, middle: Place, goal: Place) -> bool:
+    """Whether the walker has come to the place where it stays, or as near to it as others let it."""
+    stride, far = biped_of(round, me).gait.preferred_step, hypot(goal[0] - middle[0], goal[1] - middle[1])
+    if far < THERE * stride:
+        return True
+    return far < (THERE + CONTENT * min(me.hindered, PATIENT)) * stride and _is_taken(round, me, middle, far, goal)
+
+
+@jit
+def _is_taken(round: Round, me: Me, middle: Place, far: float, goal: Place) -> bool:
+    """Whether another rests on a place, `far` away [m], or on the straight way to it."""
+    held, c, near = round.reservations, me.c, np.empty(CROWDED, np.int64)
+    dx, dy = goal[0] - middle[0], goal[1] - middle[1]
+    count = neighbours(held, c, min(far + WIDEST * held.half[c, 1], held.reach), near)
+    for i in range(count):
+        x, y = held.path[near[i], COMMITTED - 1, 0] - middle[0], held.path[near[i], COMMITTED - 1, 1] - middle[1]
+        apart = held.half[c, 1] + held.half[near[i], 1]
+        if x * dx + y * dy > 0 and line_distance(x, y, x - dx, y - dy) < apart:
+            return True
+    return count < 0
 
 
 @jit_borrowing

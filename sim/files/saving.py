@@ -1,8 +1,8 @@
 """A running simulation in one file, and on from there, bit by bit.
 
-The file holds the rows of the crowd, the plans, and in `meta` the world, the characters, the planner and what was changed. What
-others reserve follows from the rows, and chance from (seed, character, step), so nothing else is needed. Only the version that
-has written a state goes on from it: another one might step otherwise.
+The file holds the rows of the crowd, the plans, and in `meta` the world, the characters, the planner, the weights and what was
+changed. What others reserve follows from the rows, and chance from (seed, character, step), so nothing else is needed. Only the
+version that has written a state goes on from it: another one might step otherwise.
 """
 
 import hashlib
@@ -16,6 +16,7 @@ from motion.characters.character import Character
 from planner.crowd.apart import one_inside_another
 from planner.planner import NoWay, Planner
 from planner.planners import PLANNERS
+from planner.round.weights import Weights
 from sim import VERSION
 from sim.files import archive
 from sim.files.archive import HEIGHTS
@@ -28,7 +29,7 @@ from worlds.errors import InputError
 from worlds.reading import checked
 from worlds.world import World
 
-FORMAT = 3
+FORMAT = 4
 CROWD, PLANS, LOG = "crowd", "plans", "footprint_"
 
 
@@ -85,6 +86,7 @@ def _meta(sim: Simulation) -> dict:
         "first_world": sim.first_world.to_dict(heights=False) if sim.first_world is not sim.world else None,
         "kinds": [{"dimensions": kind.to_dict(), "look": kind.look.model_dump()} for kind in sim.kinds],
         "kind": sim.kind.tolist(),
+        "weights": sim.weights._asdict(),
         "planner": {"name": sim.planner.name, "values": sim.planner.values()},
         "changes": [change._asdict() for change in sim.changes],
     }
@@ -140,7 +142,8 @@ def _simulation(arrays: archive.Arrays, meta: dict, planner: Planner) -> Simulat
     kept = {name: array for name, array in arrays.items() if name.startswith(LOG)}
     check_log(kept, meta["recasts"])
     world = World.from_dict(meta["world"], arrays[HEIGHTS])
-    sim = Simulation(world, cast, planner, meta["seed"], meta["tick_rate"], State(meta["ticks"], crowd, plans))
+    state, weights = State(meta["ticks"], crowd, plans), Weights(**meta["weights"])
+    sim = Simulation(world, cast, planner, meta["seed"], meta["tick_rate"], state, weights)
     _check_apart(sim)
     sim.gone[:] = meta["distance"]
     for change in meta["changes"]:

@@ -64,6 +64,7 @@ class StateMeta(_Strict):
     first_world: Plain | None
     kinds: Annotated[list[_Kind], Field(min_length=1)]
     kind: Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=1, max_length=MOST_CHARACTERS)]
+    weights: dict[str, float | str]
     planner: _Named
     changes: list[_Change]
 

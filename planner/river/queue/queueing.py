@@ -17,9 +17,9 @@ from motion.track.footprints import Foot, step_in
 from planner.river.queue.routes import Routes, empty_routes
 from planner.round.kernel import Compiled
 from planner.round.reservations import COMMITTED, TENTATIVE, Reservations, foot_is_free, lag, least_distance, line_distance
-from planner.round.round import PATIENT, UNHURRIED, Me, Round, Wish, biped_of, standing
+from planner.round.round import UNHURRIED, Me, Round, Wish, biped_of, standing
 from planner.round.soles import sole_of
-from planner.stepping.arriving import STAND_TIME, arrive, walk_on
+from planner.stepping.arriving import STAND_TIME, arrive, is_content, walk_on
 from planner.stepping.beside import Place, middle_beside, sole_heading
 from planner.stepping.finding import surely
 from planner.stepping.timing import step_timing
@@ -29,8 +29,6 @@ WAIT = 0.15
 """Who waits looks again after twice this time [s]: each foot stands on once."""
 SOLES = 0.01
 """Room kept between soles [m]."""
-THERE, CONTENT = 0.5, 0.25
-"""Who walks is at its end within this share of its preferred step, and more for every step that others hindered."""
 NEAR = 2.0
 """Who walks has come by a place of its route within so many preferred steps of it."""
 CLEAR = 0.02
@@ -170,7 +168,7 @@ def _walk(round: Round, me: Me) -> Wish:
     at, end = plans.at[c], (ends[c, 0], ends[c, 1])
     while at < last - 1 and hypot(plans.steps[c, at].x - middle[0], plans.steps[c, at].y - middle[1]) < NEAR * stride:
         at += 1
-    if hypot(end[0] - middle[0], end[1] - middle[1]) < (THERE + CONTENT * min(me.hindered, PATIENT)) * stride:
+    if is_content(round, me, middle, end):
         at = last
     if me.real:
         plans.at[c] = at

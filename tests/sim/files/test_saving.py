@@ -14,6 +14,7 @@ import main
 from motion.characters.character import load_character
 from planner.modes.custom import Custom
 from planner.modes.walk_to import WalkTo
+from planner.round.weights import PEOPLE
 from sim.files.archive import flat
 from sim.files.saving import restore, save
 from sim.stage.commands import SetGoal, apply
@@ -43,16 +44,20 @@ def same(a, b):
             assert x.tobytes() == y[1].tobytes(), name
 
 
-def walkers():
+def walkers(weights=PEOPLE):
     world = World("floor", (20.0, 20.0), start=(10.0, 10.0))
     starts, stops = [(6.0, 10.0, 0.0), (14.0, 10.0, np.pi)], [[(14.0, 10.0), (10.0, 14.0)], [(6.0, 10.0), (10.0, 6.0)]]
-    return Simulation(world, [load_character("human"), load_character("bird")], WalkTo(starts, stops, again=True), 4)
+    return Simulation(
+        world, [load_character("human"), load_character("bird")], WalkTo(starts, stops, again=True), 4, weights=weights
+    )
 
 
 MADE = {
     "crowd": lambda: make_simulation("dense_forest", "bird", 12, 3, False),
     "river": lambda: make_simulation("river_easy", "human", 1, 0, True),
     "walkers": walkers,
+    "walkers of another table": lambda: walkers(PEOPLE._replace(around=0.0, side=3.0)),
+    "walkers of another model": lambda: walkers(PEOPLE._replace(model="orca")),
 }
 
 
