@@ -78,6 +78,25 @@ def weights_at(pieces: Pieces, s: float) -> tuple[Weights, Weights]:
 
 
 @jit_inline
+def begin_weights(pieces: Pieces) -> Weights:
+    """Weights of the coefficients in the com where the pieces begin."""
+    p = pieces.powers
+    return p[0][0], p[1][0], p[2][0], p[3][0]
+
+
+@jit_inline
+def end_weights(pieces: Pieces) -> Weights:
+    """The same where they end."""
+    p = pieces.powers
+    return _sum_of(p[0]), _sum_of(p[1]), _sum_of(p[2]), _sum_of(p[3])
+
+
+@jit_inline
+def _sum_of(p: Weights) -> Some:
+    return p[0] + p[1] + p[2] + p[3]
+
+
+@jit_inline
 def mix_all(w: Weights, pieces: Pieces) -> Three:
     return mix(w, pieces.x), mix(w, pieces.y), mix(w, pieces.z)
 
@@ -86,12 +105,12 @@ def mix_all(w: Weights, pieces: Pieces) -> Three:
 def _set_block(blocks: np.ndarray, n: int, size: Some) -> None:
     """blocks[n] = size times the identity."""
     zero = 0.0 * size
-    store(blocks, (n, 0, 0), size)
-    store(blocks, (n, 1, 0), zero)
-    store(blocks, (n, 2, 0), size)
-    store(blocks, (n, 3, 0), zero)
-    store(blocks, (n, 4, 0), zero)
-    store(blocks, (n, 5, 0), size)
+    store(blocks, (6 * n + 0, 0), size)
+    store(blocks, (6 * n + 1, 0), zero)
+    store(blocks, (6 * n + 2, 0), size)
+    store(blocks, (6 * n + 3, 0), zero)
+    store(blocks, (6 * n + 4, 0), zero)
+    store(blocks, (6 * n + 5, 0), size)
 
 
 @jit_inline
