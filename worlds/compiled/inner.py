@@ -3,7 +3,7 @@
 numba makes each kernel whole before its callers are looked at: with an entry for Python, which unpacks tables of dozens of
 arrays, optimised with all that it calls, as machine code; its callers then optimise all of that once more. More than half of
 the time of a first start went there. Here a kernel that others call is typed and lowered, and no more: whoever is called from
-Python, or by its address, links all that it calls and is optimised once. To the same bits. A kernel that is called from both is
+Python, or by its address, links all that it calls and is optimised once, to the same bits. A kernel that is called from both is
 lowered twice, which is little.
 
 What is linked so belongs to whoever has linked it: the compiler is told that nobody else calls it, and may hand on what is
