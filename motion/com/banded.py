@@ -10,7 +10,7 @@ import numpy as np
 
 from motion.com.equations import BAND, Equations
 from motion.track.basis import Basis, is_fixed
-from worlds.compiled.across import lane, shifted, total
+from worlds.compiled.across import lane, shifted
 from worlds.compiled.jit import jit_borrowing, jit_inline
 from worlds.compiled.lanes import lanes_of, load, store
 
@@ -82,11 +82,15 @@ def _eliminate(band: np.ndarray, c: int, x: Any, y: Any, w: Any, inverse: float)
 
 @jit_inline
 def _eliminate_all(band: np.ndarray, z: np.ndarray, n: int) -> None:
-    """The band of n columns becomes L, and the right side z becomes D^-1 L^-1 z; what comes next of both is in registers."""
+    """The band of n columns becomes L, and the right side z becomes D^-1 L^-1 z; what comes next of both is in registers.
+
+    One pivot waits for the other, so the next one is reckoned by itself, as its lane is.
+    """
     x, y, w = load(band, (0, 0)), load(band, (0, 4)), load(band, (0, 8))
-    p, q, r = load(z, (0,)), load(z, (4,)), load(z, (8,))
+    p, q, r, pivot = load(z, (0,)), load(z, (4,)), load(z, (8,)), band[0, 0]
     for c in range(n):
-        inverse, own = 1 / max(lane(x, 0), _LEAST), lane(p, 0)
+        inverse, own, below = 1 / max(pivot, _LEAST), lane(p, 0), lane(x, 1)
+        pivot = band[c + 1, 0] - below * inverse * below
         u, v, t, x, y, w = _eliminate(band, c, x, y, w, inverse)
         z[c] = own * inverse
         p, q, r = p - u * own, q - v * own, r - t * own
@@ -116,14 +120,18 @@ def solve(fixed: np.ndarray, basis: Basis, equations: Equations, step: np.ndarra
 def _substitute(band: np.ndarray, gradient: np.ndarray, step: np.ndarray, n: int) -> float:
     """L^T step = the right side that step holds, n unknowns, the last first; returns the predicted decrease of E.
 
-    The twelve that were found last stay in registers, as in _eliminate, with 0 for the one that is sought.
+    The twelve that were found last stay in registers, as in _eliminate, with 0 for the one that is sought. The newest is
+    waited for: all else of a sum is there before.
     """
-    decrease, none, one = 0.0, lanes_of(0.0, 0.0, 0.0, 0.0), lanes_of(1.0, 0.0, 0.0, 0.0)
+    decrease, newest, none, second = 0.0, 0.0, lanes_of(0.0, 0.0, 0.0, 0.0), lanes_of(0.0, 1.0, 0.0, 0.0)
     x, y, w = none, none, none
     for c in range(n - 1, -1, -1):
-        ahead = load(band, (c, 0)) * x + load(band, (c, 4)) * y
-        step[c] -= total(ahead + load(band, (c, 8)) * w)
-        decrease -= 0.5 * gradient[c] * step[c]
-        x += step[c] * one
-        x, y, w = shifted(none, x, 3), shifted(x, y, 3), shifted(y, w, 3)
+        later, last = load(band, (c, 4)) * y, load(band, (c, 8)) * w
+        all = load(band, (c, 0)) * x + later + last
+        first = band[c, 1] * newest + lane(later, 1) + lane(last, 1)
+        found = step[c] - (lane(all, 0) + first + lane(all, 2) + lane(all, 3))
+        decrease -= 0.5 * gradient[c] * found
+        step[c] = found
+        x += newest * second
+        x, y, w, newest = shifted(none, x, 3), shifted(x, y, 3), shifted(y, w, 3), found
     return decrease

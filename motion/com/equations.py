@@ -6,7 +6,7 @@ h_k h_l C to the 3x3 block of coefficients k and l, C the comfort's matrix: ten 
 LANES pieces at once. A coefficient couples with the next three, so H is a band of twelve.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -74,48 +74,42 @@ def empty_equations(n: int) -> Equations:
 
 
 @jit_inline
-def _add_block(blocks: np.ndarray, n: int, a: Some, physics: Any, b: Some, comfort: Any) -> None:
-    """blocks[n] += a physics + b comfort, for their lower triangles."""
-    store(blocks, (6 * n + 0, 0), load(blocks, (6 * n + 0, 0)) + (a * physics[0] + b * comfort[0]))
-    store(blocks, (6 * n + 1, 0), load(blocks, (6 * n + 1, 0)) + (a * physics[1] + b * comfort[1]))
-    store(blocks, (6 * n + 2, 0), load(blocks, (6 * n + 2, 0)) + (a * physics[2] + b * comfort[2]))
-    store(blocks, (6 * n + 3, 0), load(blocks, (6 * n + 3, 0)) + (a * physics[3] + b * comfort[3]))
-    store(blocks, (6 * n + 4, 0), load(blocks, (6 * n + 4, 0)) + (a * physics[4] + b * comfort[4]))
-    store(blocks, (6 * n + 5, 0), load(blocks, (6 * n + 5, 0)) + (a * physics[5] + b * comfort[5]))
-
-
-@jit_inline
-def _add_slope(slopes: np.ndarray, k: int, a: Some, physics: Any, b: Some, comfort: Any) -> None:
-    """slopes[k] += a physics + b comfort, for their gradients."""
-    store(slopes, (k, 0, 0), load(slopes, (k, 0, 0)) + (a * physics[0] + b * comfort[0]))
-    store(slopes, (k, 1, 0), load(slopes, (k, 1, 0)) + (a * physics[1] + b * comfort[1]))
-    store(slopes, (k, 2, 0), load(slopes, (k, 2, 0)) + (a * physics[2] + b * comfort[2]))
+def _add_both(rows: np.ndarray, first: int, a: Some, physics: tuple, b: Some, comfort: tuple) -> None:
+    """The rows from `first` on get a times the numbers of one model and b times those of another."""
+    for r in range(len(physics)):
+        store(rows, (first + r, 0), load(rows, (first + r, 0)) + (a * physics[r] + b * comfort[r]))
 
 
 @jit_inline
 def _add_models(
-    equations: Equations, scale: Some, omega: Weights, physics: PhysicsModel | ComfortModel, h: Weights, comfort: ComfortModel
+    equations: Equations, scale: Some, omega: Weights, physics: PhysicsModel, h: Weights, comfort: ComfortModel
 ) -> None:
     """Spreads a sample's models, `scale` times, over the pieces' coefficients, by their weights in what each model sees."""
-    blocks, slopes = equations.blocks, equations.slopes
-    m, c, g, f = physics.matrix, comfort.matrix, physics.gradient, comfort.gradient
-    o0, o1, o2, o3 = omega
-    a0, a1, a2, a3 = scale * o0, scale * o1, scale * o2, scale * o3
-    p0, p1, p2, p3 = scale * h[0], scale * h[1], scale * h[2], scale * h[3]
-    _add_block(blocks, 0, a0 * o0, m, p0 * h[0], c)
-    _add_block(blocks, 1, a1 * o0, m, p1 * h[0], c)
-    _add_block(blocks, 2, a1 * o1, m, p1 * h[1], c)
-    _add_block(blocks, 3, a2 * o0, m, p2 * h[0], c)
-    _add_block(blocks, 4, a2 * o1, m, p2 * h[1], c)
-    _add_block(blocks, 5, a2 * o2, m, p2 * h[2], c)
-    _add_block(blocks, 6, a3 * o0, m, p3 * h[0], c)
-    _add_block(blocks, 7, a3 * o1, m, p3 * h[1], c)
-    _add_block(blocks, 8, a3 * o2, m, p3 * h[2], c)
-    _add_block(blocks, 9, a3 * o3, m, p3 * h[3], c)
-    _add_slope(slopes, 0, a0, g, p0, f)
-    _add_slope(slopes, 1, a1, g, p1, f)
-    _add_slope(slopes, 2, a2, g, p2, f)
-    _add_slope(slopes, 3, a3, g, p3, f)
+    n = 0
+    for k in range(ORDER):
+        a, b = scale * omega[k], scale * h[k]
+        for j in range(k + 1):
+            _add_both(equations.blocks, 6 * n, a * omega[j], physics.matrix, b * h[j], comfort.matrix)
+            n += 1
+        _add_both(equations.slopes[k], 0, a, physics.gradient, b, comfort.gradient)
+
+
+@jit_inline
+def _add_scaled(rows: np.ndarray, first: int, a: Some, numbers: tuple) -> None:
+    """The rows from `first` on get a times the numbers, of which there are as many as of a gradient, or of a lower triangle."""
+    for r in range(len(numbers)):
+        store(rows, (first + r, 0), load(rows, (first + r, 0)) + a * numbers[r])
+
+
+@jit_inline
+def _add_model(equations: Equations, scale: Some, h: Weights, model: PhysicsModel | ComfortModel) -> None:
+    """Spreads one model, `scale` times, over the pieces' coefficients, by their weights in what it sees."""
+    n = 0
+    for k in range(ORDER):
+        for j in range(k + 1):
+            _add_scaled(equations.blocks, 6 * n, scale * h[k] * h[j], model.matrix)
+            n += 1
+        _add_scaled(equations.slopes[k], 0, scale * h[k], model.gradient)
 
 
 @jit_inline
@@ -155,16 +149,10 @@ def _both(left: ComfortModel, right: ComfortModel) -> ComfortModel:
 
 
 @jit_inline
-def _nothing(like: Some) -> ComfortModel:
-    zero = 0.0 * like
-    return ComfortModel(zero, (zero, zero, zero), (zero, zero, zero, zero, zero, zero))
-
-
-@jit_inline
 def _add_strength(problem: Problem, pieces: Pieces, w: Three, bends: Weights, equations: Equations) -> Some:
     """Adds what a force beyond the character's strength costs at a sample; returns it in lanes."""
     model = cost.strength_model(w, problem.strength, problem.strength_weight)
-    _add_models(equations, pieces.scale, bends, model, bends, _nothing(pieces.scale))
+    _add_model(equations, pieces.scale, bends, model)
     return pieces.scale * model.size
 
 
@@ -207,7 +195,7 @@ def _add_reach_at(problem: Problem, pieces: Pieces, i: int, end: int, h: Weights
     if not problems.reaches_beyond(problem, i, end, com):
         return 0.0 * one
     left, right = _reach_of_leg(problem, i, end, LEFT, com), _reach_of_leg(problem, i, end, RIGHT, com)
-    _add_models(equations, one, h, _both(left, right), h, _nothing(one))
+    _add_model(equations, one, h, _both(left, right))
     return left.cost + right.cost
 
 
