@@ -10,7 +10,7 @@ import numpy as np
 
 from motion.com.equations import BAND, Equations
 from motion.track.basis import Basis, is_fixed
-from worlds.compiled.across import lane, shifted, total
+from worlds.compiled.across import lane, shifted
 from worlds.compiled.jit import jit_borrowing, jit_inline
 from worlds.compiled.lanes import lanes_of, load, store
 
@@ -28,6 +28,12 @@ def _hold(equations: Equations, column: int) -> None:
         band[column, k] = 0.0
         if k <= column:
             band[column - k, k] = 0.0
+
+
+@jit_inline
+def _left_of(band: np.ndarray, column: int, s: float, x: Any, y: Any, w: Any) -> tuple[Any, Any, Any]:
+    """A column less s times the lanes x, y and w, from its pivot down."""
+    return load(band, (column, 0)) - s * x, load(band, (column, 4)) - s * y, load(band, (column, 8)) - s * w
 
 
 @jit_inline
@@ -49,19 +55,18 @@ def _take_three(band: np.ndarray, column: int, s: float, x: Any, y: Any, w: Any)
 
 
 @jit_inline
-def _eliminate(band: np.ndarray, z: np.ndarray, c: int) -> None:
-    """L of a column, which replaces it below its pivot, taken from the columns and the right side that it reaches.
+def _eliminate(band: np.ndarray, c: int, x: Any, y: Any, w: Any, inverse: float) -> tuple[Any, Any, Any, Any, Any, Any]:
+    """L of a column x, y, w, which replaces it below its pivot, taken from the columns that it reaches; L, and the next column.
 
-    The column stays in registers: read again from where it was just written, at other places, it would be waited for.
+    Both stay in registers: read again from where they were just written, at other places, they would be waited for.
     """
-    x, y, w, none = load(band, (c, 0)), load(band, (c, 4)), load(band, (c, 8)), lanes_of(0.0, 0.0, 0.0, 0.0)
-    inverse, own = 1 / max(lane(x, 0), _LEAST), z[c]
+    none = lanes_of(0.0, 0.0, 0.0, 0.0)
     u, v, t = x * inverse, y * inverse, w * inverse
     store(band, (c, 0), u)
     store(band, (c, 4), v)
     store(band, (c, 8), t)
     band[c, 0] = 0.0
-    _take_three(band, c + 1, lane(u, 1), shifted(x, y, 1), shifted(y, w, 1), shifted(w, none, 1))
+    after = _left_of(band, c + 1, lane(u, 1), shifted(x, y, 1), shifted(y, w, 1), shifted(w, none, 1))
     _take_three(band, c + 2, lane(u, 2), shifted(x, y, 2), shifted(y, w, 2), shifted(w, none, 2))
     _take_three(band, c + 3, lane(u, 3), shifted(x, y, 3), shifted(y, w, 3), shifted(w, none, 3))
     _take_two(band, c + 4, lane(v, 0), y, w)
@@ -72,12 +77,24 @@ def _eliminate(band: np.ndarray, z: np.ndarray, c: int) -> None:
     _take_one(band, c + 9, lane(t, 1), shifted(w, none, 1))
     _take_one(band, c + 10, lane(t, 2), shifted(w, none, 2))
     _take_one(band, c + 11, lane(t, 3), shifted(w, none, 3))
-    store(z, (c + 4,), load(z, (c + 4,)) - v * own)
-    store(z, (c + 8,), load(z, (c + 8,)) - t * own)
-    z[c + 1] -= lane(u, 1) * own
-    z[c + 2] -= lane(u, 2) * own
-    z[c + 3] -= lane(u, 3) * own
-    z[c] = own * inverse
+    return u, v, t, after[0], after[1], after[2]
+
+
+@jit_inline
+def _eliminate_all(band: np.ndarray, z: np.ndarray, n: int) -> None:
+    """The band of n columns becomes L, and the right side z becomes D^-1 L^-1 z; what comes next of both is in registers.
+
+    One pivot waits for the other, so the next one is reckoned by itself, as its lane is.
+    """
+    x, y, w = load(band, (0, 0)), load(band, (0, 4)), load(band, (0, 8))
+    p, q, r, pivot = load(z, (0,)), load(z, (4,)), load(z, (8,)), band[0, 0]
+    for c in range(n):
+        inverse, own, below = 1 / max(pivot, _LEAST), lane(p, 0), lane(x, 1)
+        pivot = band[c + 1, 0] - below * inverse * below
+        u, v, t, x, y, w = _eliminate(band, c, x, y, w, inverse)
+        z[c] = own * inverse
+        p, q, r = p - u * own, q - v * own, r - t * own
+        p, q, r = shifted(p, q, 1), shifted(q, r, 1), shifted(r, load(z, (c + BAND,)), 1)
 
 
 @jit_borrowing
@@ -95,8 +112,7 @@ def solve(fixed: np.ndarray, basis: Basis, equations: Equations, step: np.ndarra
         step[c] = -gradient[c]
     for c in range(3 * n):
         band[c, 0] *= 1 + DAMPING
-    for c in range(3 * n):
-        _eliminate(band, step, c)
+    _eliminate_all(band, step, 3 * n)
     return _substitute(band, gradient, step, 3 * n)
 
 
@@ -104,14 +120,18 @@ def solve(fixed: np.ndarray, basis: Basis, equations: Equations, step: np.ndarra
 def _substitute(band: np.ndarray, gradient: np.ndarray, step: np.ndarray, n: int) -> float:
     """L^T step = the right side that step holds, n unknowns, the last first; returns the predicted decrease of E.
 
-    The twelve that were found last stay in registers, as in _eliminate, with 0 for the one that is sought.
+    The twelve that were found last stay in registers, as in _eliminate, with 0 for the one that is sought. The newest is
+    waited for: all else of a sum is there before.
     """
-    decrease, none, one = 0.0, lanes_of(0.0, 0.0, 0.0, 0.0), lanes_of(1.0, 0.0, 0.0, 0.0)
+    decrease, newest, none, second = 0.0, 0.0, lanes_of(0.0, 0.0, 0.0, 0.0), lanes_of(0.0, 1.0, 0.0, 0.0)
     x, y, w = none, none, none
     for c in range(n - 1, -1, -1):
-        ahead = load(band, (c, 0)) * x + load(band, (c, 4)) * y
-        step[c] -= total(ahead + load(band, (c, 8)) * w)
-        decrease -= 0.5 * gradient[c] * step[c]
-        x += step[c] * one
-        x, y, w = shifted(none, x, 3), shifted(x, y, 3), shifted(y, w, 3)
+        later, last = load(band, (c, 4)) * y, load(band, (c, 8)) * w
+        all = load(band, (c, 0)) * x + later + last
+        first = band[c, 1] * newest + lane(later, 1) + lane(last, 1)
+        found = step[c] - (lane(all, 0) + first + lane(all, 2) + lane(all, 3))
+        decrease -= 0.5 * gradient[c] * found
+        step[c] = found
+        x += newest * second
+        x, y, w, newest = shifted(none, x, 3), shifted(x, y, 3), shifted(y, w, 3), found
     return decrease

@@ -193,23 +193,17 @@ def reach_cost(com: np.ndarray, q: np.ndarray, standing: np.ndarray, max_length:
     return e
 
 
-@jit_borrowing
-def reach_model(com: Any, q: np.ndarray, standing: np.ndarray, max_length: Any, weight: float) -> tuple[float, Three, Lower]:
-    """reach_cost with its gradient and Gauss-Newton matrix in the com."""
-    e, stiffness = 0.0, 2 * REACH_TIME * weight
-    gx = gy = gz = h0 = h1 = h2 = h3 = h4 = h5 = 0.0
-    for leg in range(2):
-        if standing[leg]:
-            x, y, z = com[0] - q[leg, 0], com[1] - q[leg, 1], com[2] - q[leg, 2]
-            length = sqrt(x * x + y * y + z * z)
-            over = length - max_length[leg]
-            if over > 0:
-                x, y, z, force = x / length, y / length, z / length, stiffness * over
-                e += 0.5 * force * over
-                gx, gy, gz = gx + force * x, gy + force * y, gz + force * z
-                h0, h1, h2 = h0 + stiffness * x * x, h1 + stiffness * y * x, h2 + stiffness * y * y
-                h3, h4, h5 = h3 + stiffness * z * x, h4 + stiffness * z * y, h5 + stiffness * z * z
-    return e, (gx, gy, gz), (h0, h1, h2, h3, h4, h5)
+@jit_inline
+def reach_model(com: Three, q: Three, on: Some, max_length: Some, weight: float) -> ComfortModel:
+    """reach_cost of one leg with its gradient and Gauss-Newton matrix in the com; of numbers or of lanes."""
+    x, y, z = com[0] - q[0], com[1] - q[1], com[2] - q[2]
+    length = root(x * x + y * y + z * z) + 1e-300
+    over = larger(length - max_length, 0.0)
+    stiff = choose(on & (over > 0), 2 * REACH_TIME * weight, 0.0 * over)
+    x, y, z, force = x / length, y / length, z / length, stiff * over
+    hx, hy, hz = stiff * x, stiff * y, stiff * z
+    matrix = (hx * x, hy * x, hy * y, hz * x, hz * y, hz * z)
+    return ComfortModel(0.5 * force * over, (force * x, force * y, force * z), matrix)
 
 
 @jit_inline

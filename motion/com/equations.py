@@ -6,24 +6,52 @@ h_k h_l C to the 3x3 block of coefficients k and l, C the comfort's matrix: ten 
 LANES pieces at once. A coefficient couples with the next three, so H is a band of twelve.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from motion.com import cost, springs
 from motion.com import problem as problems
 from motion.com.cost import ComfortModel, PhysicsModel, Some, Three
-from motion.com.pieces import Pieces, lay_jerk, mix_all, pieces_from, weights_at
+from motion.com.pieces import Pieces, begin_weights, end_weights, lay_jerk, mix_all, pieces_from, weights_at
 from motion.com.problem import Problem
-from motion.track.basis import ORDER, Basis, end_weight
+from motion.track.basis import ORDER, Basis
 from motion.track.curve import Weights
 from motion.track.footprints import LEFT, RIGHT
-from worlds.compiled.across import bits_of, total
+from worlds.compiled.across import bits_of, total, total_in_turn, turned
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, load, root, store
+from worlds.compiled.lanes import LANES, lanes_of, load, root, store
 
 BAND, WIDTH = 12, 16
 """Entries of a column from the diagonal down; with room for Lanes that begin at any of them."""
+
+_NOTHING = 10 * 6
+"""The row of a piece's blocks that stays 0."""
+
+
+def _laid_down() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """How a piece's blocks lie in the band, LANES entries of a column after the other: their column in the piece's own, how far
+    below its diagonal they begin, and (N, LANES) the rows of the blocks that they are.
+
+    From the last column back, so that of pieces that share a column of the band the first one adds first.
+    """
+    column, down, entry = [], [], []
+    for c in reversed(range(BAND)):
+        for d in range(0, BAND - c, LANES):
+            column.append(c)
+            down.append(d)
+            entry.append([_row_of(c + d + k, c) if c + d + k < BAND else _NOTHING for k in range(LANES)])
+    return np.array(column), np.array(down), np.array(entry)
+
+
+def _row_of(row: int, column: int) -> int:
+    """The row of the blocks in which an entry of a piece's twelve equations lies, from the diagonal down."""
+    (k, r), (j, c) = divmod(row, 3), divmod(column, 3)
+    low, high = min(r, c), max(r, c)  # of a block the lower triangle is there, for it is symmetric
+    return 6 * (k * (k + 1) // 2 + j) + high * (high + 1) // 2 + low
+
+
+_COLUMN, _DOWN, _ENTRY = _laid_down()
 
 
 class Equations(NamedTuple):
@@ -31,7 +59,9 @@ class Equations(NamedTuple):
 
     band: np.ndarray  # (3 n + BAND, WIDTH) [column, row - column], the lower triangle
     gradient: np.ndarray  # (3 n + WIDTH,)
-    blocks: np.ndarray  # (10, 6, LANES) of LANES pieces: coefficients k >= l as 00 10 11 20 21 22 30 ..., lower triangles
+    blocks: (
+        np.ndarray
+    )  # (10 * 6 + 1, LANES) of LANES pieces: coefficients k >= l as 00 10 11 20 21 22 30 ..., lower triangles; 0
     slopes: np.ndarray  # (4, 3, LANES) their gradients
 
 
@@ -39,27 +69,15 @@ class Equations(NamedTuple):
 def empty_equations(n: int) -> Equations:
     """Of n coefficients."""
     return Equations(
-        np.zeros((3 * n + BAND, WIDTH)), np.zeros(3 * n + WIDTH), np.zeros((10, 6, LANES)), np.zeros((4, 3, LANES))
+        np.zeros((3 * n + BAND, WIDTH)), np.zeros(3 * n + WIDTH), np.zeros((_NOTHING + 1, LANES)), np.zeros((4, 3, LANES))
     )
 
 
 @jit_inline
-def _add_block(blocks: np.ndarray, n: int, a: Some, physics: Any, b: Some, comfort: Any) -> None:
-    """blocks[n] += a physics + b comfort, for their lower triangles."""
-    store(blocks, (n, 0, 0), load(blocks, (n, 0, 0)) + (a * physics[0] + b * comfort[0]))
-    store(blocks, (n, 1, 0), load(blocks, (n, 1, 0)) + (a * physics[1] + b * comfort[1]))
-    store(blocks, (n, 2, 0), load(blocks, (n, 2, 0)) + (a * physics[2] + b * comfort[2]))
-    store(blocks, (n, 3, 0), load(blocks, (n, 3, 0)) + (a * physics[3] + b * comfort[3]))
-    store(blocks, (n, 4, 0), load(blocks, (n, 4, 0)) + (a * physics[4] + b * comfort[4]))
-    store(blocks, (n, 5, 0), load(blocks, (n, 5, 0)) + (a * physics[5] + b * comfort[5]))
-
-
-@jit_inline
-def _add_slope(slopes: np.ndarray, k: int, a: Some, physics: Any, b: Some, comfort: Any) -> None:
-    """slopes[k] += a physics + b comfort, for their gradients."""
-    store(slopes, (k, 0, 0), load(slopes, (k, 0, 0)) + (a * physics[0] + b * comfort[0]))
-    store(slopes, (k, 1, 0), load(slopes, (k, 1, 0)) + (a * physics[1] + b * comfort[1]))
-    store(slopes, (k, 2, 0), load(slopes, (k, 2, 0)) + (a * physics[2] + b * comfort[2]))
+def _add_both(rows: np.ndarray, first: int, a: Some, physics: tuple, b: Some, comfort: tuple) -> None:
+    """The rows from `first` on get a times the numbers of one model and b times those of another."""
+    for r in range(len(physics)):
+        store(rows, (first + r, 0), load(rows, (first + r, 0)) + (a * physics[r] + b * comfort[r]))
 
 
 @jit_inline
@@ -67,55 +85,59 @@ def _add_models(
     equations: Equations, scale: Some, omega: Weights, physics: PhysicsModel, h: Weights, comfort: ComfortModel
 ) -> None:
     """Spreads a sample's models, `scale` times, over the pieces' coefficients, by their weights in what each model sees."""
-    blocks, slopes = equations.blocks, equations.slopes
-    m, c, g, f = physics.matrix, comfort.matrix, physics.gradient, comfort.gradient
-    o0, o1, o2, o3 = omega
-    a0, a1, a2, a3 = scale * o0, scale * o1, scale * o2, scale * o3
-    p0, p1, p2, p3 = scale * h[0], scale * h[1], scale * h[2], scale * h[3]
-    _add_block(blocks, 0, a0 * o0, m, p0 * h[0], c)
-    _add_block(blocks, 1, a1 * o0, m, p1 * h[0], c)
-    _add_block(blocks, 2, a1 * o1, m, p1 * h[1], c)
-    _add_block(blocks, 3, a2 * o0, m, p2 * h[0], c)
-    _add_block(blocks, 4, a2 * o1, m, p2 * h[1], c)
-    _add_block(blocks, 5, a2 * o2, m, p2 * h[2], c)
-    _add_block(blocks, 6, a3 * o0, m, p3 * h[0], c)
-    _add_block(blocks, 7, a3 * o1, m, p3 * h[1], c)
-    _add_block(blocks, 8, a3 * o2, m, p3 * h[2], c)
-    _add_block(blocks, 9, a3 * o3, m, p3 * h[3], c)
-    _add_slope(slopes, 0, a0, g, p0, f)
-    _add_slope(slopes, 1, a1, g, p1, f)
-    _add_slope(slopes, 2, a2, g, p2, f)
-    _add_slope(slopes, 3, a3, g, p3, f)
+    n = 0
+    for k in range(ORDER):
+        a, b = scale * omega[k], scale * h[k]
+        for j in range(k + 1):
+            _add_both(equations.blocks, 6 * n, a * omega[j], physics.matrix, b * h[j], comfort.matrix)
+            n += 1
+        _add_both(equations.slopes[k], 0, a, physics.gradient, b, comfort.gradient)
 
 
 @jit_inline
-def _put_block(band: np.ndarray, k: int, row: int, column: int, block: np.ndarray, lane: int) -> None:
-    """Adds the 3x3 block of coefficients `row` >= `column` to the band."""
-    c, d = 3 * column, 3 * (row - column)
-    x, y, z = block[k, 0, lane], block[k, 1, lane], block[k, 2, lane]
-    u, v, w = block[k, 3, lane], block[k, 4, lane], block[k, 5, lane]
-    band[c, d] += x
-    band[c, d + 1] += y
-    band[c, d + 2] += u
-    band[c + 1, d] += z
-    band[c + 1, d + 1] += v
-    band[c + 2, d] += w
-    if d > 0:  # of a block on the diagonal the lower triangle counts
-        band[c + 1, d - 1] += y
-        band[c + 2, d - 2] += u
-        band[c + 2, d - 1] += v
+def _add_scaled(rows: np.ndarray, first: int, a: Some, numbers: tuple) -> None:
+    """The rows from `first` on get a times the numbers, of which there are as many as of a gradient, or of a lower triangle."""
+    for r in range(len(numbers)):
+        store(rows, (first + r, 0), load(rows, (first + r, 0)) + a * numbers[r])
 
 
 @jit_inline
-def _put_piece(equations: Equations, first: int, lane: int) -> None:
-    """Adds a lane's blocks to the equations of its four coefficients."""
+def _add_model(equations: Equations, scale: Some, h: Weights, model: PhysicsModel | ComfortModel) -> None:
+    """Spreads one model, `scale` times, over the pieces' coefficients, by their weights in what it sees."""
     n = 0
     for k in range(ORDER):
         for j in range(k + 1):
-            _put_block(equations.band, n, first + k, first + j, equations.blocks, lane)
+            _add_scaled(equations.blocks, 6 * n, scale * h[k] * h[j], model.matrix)
             n += 1
-        for axis in range(3):
-            equations.gradient[3 * (first + k) + axis] += equations.slopes[k, axis, lane]
+        _add_scaled(equations.slopes[k], 0, scale * h[k], model.gradient)
+
+
+@jit_inline
+def _put_pieces(equations: Equations, first: np.ndarray, i: int, count: int) -> None:
+    """Adds the blocks of so many pieces from i on to the equations of their coefficients, the `first` of which each has."""
+    band, blocks = equations.band, equations.blocks
+    for n in range(len(_COLUMN)):
+        c, d = _COLUMN[n], _DOWN[n]
+        x, y, z, w = turned(
+            load(blocks, (_ENTRY[n, 0], 0)), load(blocks, (_ENTRY[n, 1], 0)), load(blocks, (_ENTRY[n, 2], 0)),
+            load(blocks, (_ENTRY[n, 3], 0)),
+        )  # fmt: skip
+        _add_down(band, 3 * first[i] + c, d, x)
+        if count > 1:
+            _add_down(band, 3 * first[i + 1] + c, d, y)
+        if count > 2:
+            _add_down(band, 3 * first[i + 2] + c, d, z)
+        if count > 3:
+            _add_down(band, 3 * first[i + 3] + c, d, w)
+    for lane in range(count):
+        for k in range(ORDER):
+            for axis in range(3):
+                equations.gradient[3 * (first[i + lane] + k) + axis] += equations.slopes[k, axis, lane]
+
+
+@jit_inline
+def _add_down(band: np.ndarray, column: int, down: int, x: Some) -> None:
+    store(band, (column, down), load(band, (column, down)) + x)
 
 
 @jit_inline
@@ -127,16 +149,10 @@ def _both(left: ComfortModel, right: ComfortModel) -> ComfortModel:
 
 
 @jit_inline
-def _nothing(like: Some) -> ComfortModel:
-    zero = 0.0 * like
-    return ComfortModel(zero, (zero, zero, zero), (zero, zero, zero, zero, zero, zero))
-
-
-@jit_inline
 def _add_strength(problem: Problem, pieces: Pieces, w: Three, bends: Weights, equations: Equations) -> Some:
     """Adds what a force beyond the character's strength costs at a sample; returns it in lanes."""
     model = cost.strength_model(w, problem.strength, problem.strength_weight)
-    _add_models(equations, pieces.scale, bends, model, bends, _nothing(pieces.scale))
+    _add_model(equations, pieces.scale, bends, model)
     return pieces.scale * model.size
 
 
@@ -163,51 +179,24 @@ def _sum_samples(problem: Problem, pieces: Pieces, i: int, eps: float, equations
 
 
 @jit_inline
-def _beyond(problem: Problem, pieces: Pieces, i: int) -> int:
-    """Bits of those pieces from i on at whose beginnings a leg is longer than max_length, and then of those at whose ends."""
-    begins = problems.beyond(problem, i, 0, mix_all(weights_at(pieces, 0.0)[0], pieces))
-    return begins | (problems.beyond(problem, i, 1, mix_all(weights_at(pieces, 1.0)[0], pieces)) << LANES)
+def _reach_of_leg(problem: Problem, i: int, end: int, leg: int, com: Three) -> ComfortModel:
+    """motion.com.cost.reach_model of one leg at one end of the pieces from i on, where that can move."""
+    fixed, last = problem.fixed[end:], len(problem.time) - 2
+    at = fixed[i], fixed[min(i + 1, last)], fixed[min(i + 2, last)], fixed[min(i + 3, last)]
+    on = load(problem.end_standing, (end, leg, i)) & (lanes_of(at[0], at[1], at[2], at[3]) < 0.5)
+    limit = load(problem.end_reach, (end, i)) * problem.max_length[leg]
+    return cost.reach_model(com, problems.triple(problem.end_origin, end, leg, i), on, limit, problem.comfort_weight)
 
 
 @jit_inline
-def _add_reach_at(
-    problem: Problem, basis: Basis, coefficients: np.ndarray, piece: int, end: int, lane: int, equations: Equations
-) -> float:
-    """Adds the reach penalty at one end of a piece to the blocks of its lane."""
-    first, x, y, z, n = basis.first[piece], 0.0, 0.0, 0.0, 0
-    for k in range(ORDER):
-        h = end_weight(basis, k, piece, end)
-        x, y = x + h * coefficients[first + k, 0], y + h * coefficients[first + k, 1]
-        z += h * coefficients[first + k, 2]
-    share, limit = problem.end_reach[end, piece], problem.max_length
-    e, slope, matrix = cost.reach_model(
-        (x, y, z), problem.end_origin[end, :, :, piece], problem.end_standing[end, :, piece],
-        (share * limit[0], share * limit[1]), problem.comfort_weight,
-    )  # fmt: skip
-    for k in range(ORDER):
-        h = end_weight(basis, k, piece, end)
-        if h == 0.0:  # one of the four begins or ends there
-            n += k + 1
-            continue
-        for axis in range(3):
-            equations.slopes[k, axis, lane] += h * slope[axis]
-        for j in range(k + 1):
-            g = end_weight(basis, j, piece, end)
-            for r in range(6):
-                equations.blocks[n, r, lane] += h * g * matrix[r]
-            n += 1
-    return e
-
-
-@jit_borrowing
-def _add_reach(problem: Problem, basis: Basis, coefficients: np.ndarray, i: int, beyond: int, equations: Equations) -> float:
-    """Adds the reach penalties at those ends of the pieces from i on (_beyond) that can move to their blocks."""
-    e = 0.0
-    for lane in range(LANES):
-        for end in range(2):
-            if (beyond >> (end * LANES + lane)) & 1 and not problem.fixed[i + lane + end]:
-                e += _add_reach_at(problem, basis, coefficients, i + lane, end, lane, equations)
-    return e
+def _add_reach_at(problem: Problem, pieces: Pieces, i: int, end: int, h: Weights, equations: Equations) -> Some:
+    """Adds the reach penalties at one end of the pieces from i on; returns them in lanes. h: weights of the com there."""
+    com, one = mix_all(h, pieces), lanes_of(1.0, 1.0, 1.0, 1.0)
+    if not problems.reaches_beyond(problem, i, end, com):
+        return 0.0 * one
+    left, right = _reach_of_leg(problem, i, end, LEFT, com), _reach_of_leg(problem, i, end, RIGHT, com)
+    _add_model(equations, one, h, _both(left, right))
+    return left.cost + right.cost
 
 
 @jit_borrowing
@@ -221,11 +210,10 @@ def assemble(problem: Problem, basis: Basis, coefficients: np.ndarray, eps: floa
     for i in range(0, m, LANES):
         pieces = pieces_from(problem.time, problem.weight, problem.support_point.shape[0], basis, coefficients, i)
         e += total(_sum_samples(problem, pieces, i, eps, equations))
-        beyond = _beyond(problem, pieces, i)
-        if beyond != 0:
-            e += _add_reach(problem, basis, coefficients, i, beyond, equations)
-        for lane in range(min(LANES, m - i)):
-            _put_piece(equations, basis.first[i + lane], lane)
+        begins = _add_reach_at(problem, pieces, i, 0, begin_weights(pieces), equations)
+        ends = _add_reach_at(problem, pieces, i, 1, end_weights(pieces), equations)
+        e += total_in_turn(begins, ends)
+        _put_pieces(equations, basis.first, i, min(LANES, m - i))
     return e
 
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.com.cost import Some, Three, mix
-from motion.track.basis import Basis
+from motion.track.basis import ORDER, Basis
 from motion.track.curve import Weights
 from worlds.compiled.jit import jit_inline
 from worlds.compiled.lanes import lanes_of, load, store
@@ -78,28 +78,39 @@ def weights_at(pieces: Pieces, s: float) -> tuple[Weights, Weights]:
 
 
 @jit_inline
+def begin_weights(pieces: Pieces) -> Weights:
+    """Weights of the coefficients in the com where the pieces begin."""
+    p = pieces.powers
+    return p[0][0], p[1][0], p[2][0], p[3][0]
+
+
+@jit_inline
+def end_weights(pieces: Pieces) -> Weights:
+    """The same where they end."""
+    p = pieces.powers
+    return _sum_of(p[0]), _sum_of(p[1]), _sum_of(p[2]), _sum_of(p[3])
+
+
+@jit_inline
+def _sum_of(p: Weights) -> Some:
+    return p[0] + p[1] + p[2] + p[3]
+
+
+@jit_inline
 def mix_all(w: Weights, pieces: Pieces) -> Three:
     return mix(w, pieces.x), mix(w, pieces.y), mix(w, pieces.z)
 
 
 @jit_inline
-def _set_block(blocks: np.ndarray, n: int, size: Some) -> None:
-    """blocks[n] = size times the identity."""
+def _set_block(blocks: np.ndarray, first: int, size: Some) -> None:
+    """The block whose rows begin at `first` becomes size times the identity."""
     zero = 0.0 * size
-    store(blocks, (n, 0, 0), size)
-    store(blocks, (n, 1, 0), zero)
-    store(blocks, (n, 2, 0), size)
-    store(blocks, (n, 3, 0), zero)
-    store(blocks, (n, 4, 0), zero)
-    store(blocks, (n, 5, 0), size)
-
-
-@jit_inline
-def _set_slope(slopes: np.ndarray, k: int, a: Some, gradient: Three) -> None:
-    """slopes[k] = a gradient."""
-    store(slopes, (k, 0, 0), a * gradient[0])
-    store(slopes, (k, 1, 0), a * gradient[1])
-    store(slopes, (k, 2, 0), a * gradient[2])
+    store(blocks, (first, 0), size)
+    store(blocks, (first + 1, 0), zero)
+    store(blocks, (first + 2, 0), size)
+    store(blocks, (first + 3, 0), zero)
+    store(blocks, (first + 4, 0), zero)
+    store(blocks, (first + 5, 0), size)
 
 
 @jit_inline
@@ -108,24 +119,16 @@ def lay_jerk(weight: float, pieces: Pieces, blocks: np.ndarray, slopes: np.ndarr
 
     The same along each axis, and constant over a piece: the blocks are multiples of the identity.
     """
-    p, third = pieces.powers, pieces.bend / pieces.duration
-    w0, w1, w2, w3 = 6 * third * p[0][3], 6 * third * p[1][3], 6 * third * p[2][3], 6 * third * p[3][3]
-    x, y, z = mix_all((w0, w1, w2, w3), pieces)
+    p, third, n = pieces.powers, pieces.bend / pieces.duration, 0
+    w = (6 * third * p[0][3], 6 * third * p[1][3], 6 * third * p[2][3], 6 * third * p[3][3])
+    x, y, z = mix_all(w, pieces)
     scale = weight * pieces.scale
-    a0, a1, a2, a3 = scale * w0, scale * w1, scale * w2, scale * w3
-    _set_block(blocks, 0, a0 * w0 * 2.0)
-    _set_block(blocks, 1, a1 * w0 * 2.0)
-    _set_block(blocks, 2, a1 * w1 * 2.0)
-    _set_block(blocks, 3, a2 * w0 * 2.0)
-    _set_block(blocks, 4, a2 * w1 * 2.0)
-    _set_block(blocks, 5, a2 * w2 * 2.0)
-    _set_block(blocks, 6, a3 * w0 * 2.0)
-    _set_block(blocks, 7, a3 * w1 * 2.0)
-    _set_block(blocks, 8, a3 * w2 * 2.0)
-    _set_block(blocks, 9, a3 * w3 * 2.0)
-    twice = (2 * x, 2 * y, 2 * z)
-    _set_slope(slopes, 0, a0, twice)
-    _set_slope(slopes, 1, a1, twice)
-    _set_slope(slopes, 2, a2, twice)
-    _set_slope(slopes, 3, a3, twice)
+    for k in range(ORDER):
+        a = scale * w[k]
+        for j in range(k + 1):
+            _set_block(blocks, 6 * n, a * w[j] * 2.0)
+            n += 1
+        store(slopes, (k, 0, 0), a * (2 * x))
+        store(slopes, (k, 1, 0), a * (2 * y))
+        store(slopes, (k, 2, 0), a * (2 * z))
     return scale * (x * x + y * y + z * z)

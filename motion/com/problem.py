@@ -162,7 +162,7 @@ def state_of_sample(segments: Segments, gravity: Some, h: Weights, bends: Weight
 
 
 @jit_inline
-def _triple(array: np.ndarray, j: int, leg: int, i: int) -> Three:
+def triple(array: np.ndarray, j: int, leg: int, i: int) -> Three:
     """array[j, leg, :, i] and the next ones as three lanes."""
     return load(array, (j, leg, 0, i)), load(array, (j, leg, 1, i)), load(array, (j, leg, 2, i))
 
@@ -170,14 +170,14 @@ def _triple(array: np.ndarray, j: int, leg: int, i: int) -> Three:
 @jit_inline
 def physics_of_sample(problem: Problem, i: int, j: int, com: Three, w: Three, eps: float) -> PhysicsModel:
     """motion.com.cost.physics_model of sample j of the segments from i on."""
-    s0, s1 = _triple(problem.support_point, j, 0, i), _triple(problem.support_point, j, 1, i)
+    s0, s1 = triple(problem.support_point, j, 0, i), triple(problem.support_point, j, 1, i)
     return cost.physics_model(com, w, s0, s1, load(problem.standing, (j, 0, i)), load(problem.standing, (j, 1, i)), eps)
 
 
 @jit_inline
 def comfort_of_leg(problem: Problem, i: int, j: int, leg: int, com: Three) -> ComfortModel:
     """motion.com.cost.comfort_model of one leg in sample j of the segments from i on."""
-    q, on = _triple(problem.leg_origin, j, leg, i), load(problem.standing, (j, leg, i))
+    q, on = triple(problem.leg_origin, j, leg, i), load(problem.standing, (j, leg, i))
     nominal = load(problem.nominal_length, (j, leg, i))
     weight = problem.comfort_weight * load(problem.comfort_share, (i,))
     return cost.comfort_model(com, q, on, nominal, problem.max_length[leg], weight)
@@ -187,19 +187,19 @@ def comfort_of_leg(problem: Problem, i: int, j: int, leg: int, com: Three) -> Co
 def overreaches(problem: Problem, segments: Segments, i: int) -> bool:
     """Whether a leg is longer than max_length at an end of the segments from i on: only then it costs."""
     x, y, z = segments.x, segments.y, segments.z
-    return beyond(problem, i, 0, (x[0], y[0], z[0])) | beyond(problem, i, 1, (x[2], y[2], z[2])) != 0
+    return reaches_beyond(problem, i, 0, (x[0], y[0], z[0])) | reaches_beyond(problem, i, 1, (x[2], y[2], z[2]))
 
 
 @jit_inline
-def beyond(problem: Problem, i: int, end: int, com: Three) -> int:
-    """Bits of those segments from i on in which a leg is longer than max_length at one end, where their coms are given."""
+def reaches_beyond(problem: Problem, i: int, end: int, com: Three) -> bool:
+    """Whether a leg is longer than max_length at one end of any of the segments from i on, where their coms are given."""
     found = 0
     for leg in range(2):
-        q, on = _triple(problem.end_origin, end, leg, i), load(problem.end_standing, (end, leg, i))
+        q, on = triple(problem.end_origin, end, leg, i), load(problem.end_standing, (end, leg, i))
         x, y, z = com[0] - q[0], com[1] - q[1], com[2] - q[2]
         limit = problem.max_length[leg] * load(problem.end_reach, (end, i))
         found |= bits_of(on & (x * x + y * y + z * z > limit * limit))
-    return found
+    return found != 0
 
 
 @jit_borrowing

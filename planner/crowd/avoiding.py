@@ -10,14 +10,12 @@ from motion.track.footprints import step_onto
 from planner.crowd.candidates import QUICK, Candidate, candidate_to
 from planner.crowd.choosing import STANDING
 from planner.crowd.sides import Passage, keep_right
-from planner.crowd.walker import PRESSED, Walker, calmed, walker_of
+from planner.crowd.walker import CROWDED, PRESSED, Walker, calmed, walker_of
 from planner.round import reservations
 from planner.round.round import Me, Round, Wish, biped_of, standing
 from planner.stepping.beside import middle_beside, middle_of
-from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.jit import jit_borrowing, stack_array
 
-CROWDED = 48
-"""Where more others than this are in reach, one looks for those who are nearer."""
 CLOSEST = 0.37
 """Nobody nearer than this share of the reach is overlooked: a step and two bodies."""
 YIELD_TIME = 0.2
@@ -29,7 +27,7 @@ SHORT = 0.8
 
 ALONG = 0.1
 """A step whose heading is so far off the course [rad] that it goes on to turns."""
-
+_numbers = stack_array(CROWDED, dtype=np.int64)
 
 Choice = Callable[[Round, Walker, Candidate, float, np.ndarray], Candidate]
 """A model of walking among others, as a kernel: of a round, one who walks, the step that it wishes for (its time is 0 where it
@@ -69,7 +67,7 @@ def intend(round: Round, me: Me, wish: Wish) -> None:
     intents.claim[c, 1] = 0.5 * (me.feet.older.y + me.feet.newer.y)
 
 
-@jit
+@jit_borrowing
 def _let_by(round: Round, me: Me, wish: Wish, near: np.ndarray, choose: Choice) -> Wish:
     """One who has arrived stands, as it wishes, or steps out of the way of those who wait to pass; then its way leads back."""
     held, waits, walker = round.reservations, False, walker_of(round, me, me.feet.newer.heading)
@@ -87,7 +85,7 @@ def _let_by(round: Round, me: Me, wish: Wish, near: np.ndarray, choose: Choice) 
     return Wish(onto, wish.course, QUICK, True, False)
 
 
-@jit
+@jit_borrowing
 def give_way(round: Round, me: Me, wish: Wish, choose: Choice) -> Wish:
     """The wish, or what a model chooses that is free of others. Sets my intents: aim, and how many steps others hindered."""
     intents, c, step, hindered = round.intents, me.c, wish.step, me.hindered
@@ -95,7 +93,7 @@ def give_way(round: Round, me: Me, wish: Wish, choose: Choice) -> Wish:
     if step.stands > 0 and not wish.goes:
         intents.stood[c] = 0
         return wish
-    near = np.empty(CROWDED, np.int64)
+    near = _numbers()
     count = _look_around(round.reservations, c, near)
     if count == 0:
         intents.stood[c] = 0

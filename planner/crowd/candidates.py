@@ -10,7 +10,7 @@ long squeezes by).
 """
 
 from math import atan2, cos, hypot, inf, pi, sin, sqrt
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -57,6 +57,9 @@ class Candidate(NamedTuple):
     foot_x: float
     foot_y: float
     time: float  # it takes [s]
+
+
+CANDIDATE = np.dtype([(name, np.float64) for name in Candidate._fields])
 
 
 class Bearing(NamedTuple):
@@ -110,6 +113,19 @@ def candidate(biped: Dimensions, walker: Walker, to: Bearing, length: float) -> 
     x, y = walker.x + length * to.ahead_x, walker.y + length * to.ahead_y
     fx, fy = x + to.aside_x, y + to.aside_y
     return Candidate(x, y, to.heading, fx, fy, _time(biped, walker, fx, fy, to.turn))
+
+
+@jit_inline
+def keep(record: Any, step: Candidate) -> None:
+    """Fills in a record of CANDIDATE with a step."""
+    record.x, record.y, record.heading = step.x, step.y, step.heading
+    record.foot_x, record.foot_y, record.time = step.foot_x, step.foot_y, step.time
+
+
+@jit_inline
+def candidate_in(record: Any) -> Candidate:
+    """The step that a record of CANDIDATE holds."""
+    return Candidate(record.x, record.y, record.heading, record.foot_x, record.foot_y, record.time)
 
 
 @jit_borrowing

@@ -13,12 +13,20 @@ import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
 from planner.crowd import candidates, terms
-from planner.crowd.candidates import DIRECTIONS, QUICK, Bearing, Candidate, bearing_of, candidate, crosses, is_free, is_open
+from planner.crowd.candidates import (
+    CANDIDATE,
+    DIRECTIONS,
+    QUICK,
+    Candidate,
+    bearing_of,
+    candidate,
+    candidate_in,
+)  # fmt: skip
 from planner.crowd.neighbour import NEIGHBOUR, close_by, see
 from planner.crowd.sides import AGAINST, on_the_right, wrong_side
-from planner.crowd.walker import Walker, squeeze
+from planner.crowd.walker import CROWDED, Walker
 from planner.round.round import Round
-from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.jit import jit_borrowing, stack_array
 
 LEAST = 0.08
 """No step is shorter than this share of the preferred one."""
@@ -26,8 +34,6 @@ SHORTER_BY = 0.88
 """Share of its length that a step keeps when it is not free."""
 CLAIMS = 0.4
 """Where spacing allows no step, one claims the place of a step of this share of the longest, so that others make room."""
-NARROWER = 0.95
-"""Whom one passes by is told of bodies so much narrower; that bodies do not touch is seen to afterwards (is_free)."""
 SIDLES = 0.5
 """Who stays where it is steps aside at this share of its full speed."""
 HASTE = 1.1
@@ -38,18 +44,21 @@ STANDING = Candidate(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 """No step: its time is 0."""
 
 
-CANDIDATE = np.dtype([(name, np.float64) for name in Candidate._fields])
-
-
 class Scratch(NamedTuple):
     """Room to work in: of each direction, of standing, of the wish."""
 
     others: Any  # (K,) records of NEIGHBOUR: those near
     close: Any  # those of them to whom spacing may matter
+    dense: np.ndarray  # (D, 3) of those whose density counts: x, y [m], the share of the ground that each covers (_dense)
     cost: np.ndarray  # (WISH + 1,) what it costs, or no more than that
     weighed: np.ndarray  # (WISH + 1,) bool: that is what it costs
     length: np.ndarray  # (STAND,) of the step in each direction [m]; negative: claimed, but not taken
     step: Any  # (WISH + 1,) records of CANDIDATE
+
+
+_neighbours, _numbers_of_neighbours = stack_array(CROWDED, dtype=NEIGHBOUR), stack_array(CROWDED, 3)
+_costs, _truths = stack_array(WISH + 1), stack_array(WISH + 1, dtype=np.bool_)
+_lengths, _steps = stack_array(STAND), stack_array(WISH + 1, dtype=CANDIDATE)
 
 
 class Own(NamedTuple):
@@ -117,38 +126,35 @@ def _claim(round: Round, walker: Walker, others: Any, x: float, y: float) -> Non
 
 
 @jit_borrowing
+def _dense(round: Round, walker: Walker, others: Any, dense: np.ndarray) -> int:
+    """Fills in where those are who may make it dense ahead, and how much each covers; returns how many. Who comes against one
+    does not count: lanes part."""
+    kind, count = round.kind[walker.c], 0
+    far = round.weights[kind].ahead * round.bipeds[kind].gait.preferred_step
+    for i in range(len(others)):
+        cover = terms.covered(others[i], far) if others[i].along > AGAINST else 0.0
+        if cover > 0:
+            dense[count, 0], dense[count, 1], dense[count, 2] = others[i].x, others[i].y, cover
+            count += 1
+    return count
+
+
+@jit_borrowing
 def _speed_in(round: Round, walker: Walker, scratch: Scratch, dx: float, dy: float) -> float:
     """The speed [m/s] in the direction of a unit vector: the wished one, or what the spacing to those ahead in it allows, and
-    how dense it is there. Who comes against one does not count for that: lanes part."""
+    how dense it is there."""
     biped, weights = round.bipeds[round.kind[walker.c]], round.weights[round.kind[walker.c]]
-    swing, far, cover = pendulum_time(biped.timing.hip_height), weights.ahead * biped.gait.preferred_step, 0.0
+    swing, dense, cover = pendulum_time(biped.timing.hip_height), scratch.dense, 0.0
     speed, gap = walker.full, weights.gap * swing
     if walker.calm:
         stays = walker.wish_x == 0 and walker.wish_y == 0
         speed = SIDLES * walker.full if stays else max(walker.wish_x * dx + walker.wish_y * dy, 0.0)
     for i in range(len(scratch.close)):
         speed = min(speed, terms.speed_behind(walker, scratch.close[i], dx, dy, QUICK * swing, gap, speed))
-    for i in range(len(scratch.others)):
-        if scratch.others[i].along > AGAINST:
-            cover += terms.covered(scratch.others[i], dx, dy, far)
+    for i in range(len(dense)):
+        if dense[i, 0] * dx + dense[i, 1] * dy > 0:
+            cover += dense[i, 2]
     return min(speed, terms.pace_at(cover) * walker.full)
-
-
-@jit_borrowing
-def _room_in(walker: Walker, others: Any, to: Bearing, enough: float) -> float:
-    """How long a step in a direction may be until my body rests in another's that stops [m]; `enough` or more: so long.
-
-    The body, between the feet, goes half as far as the foot.
-    """
-    x = 0.5 * (walker.foot_x + (walker.x + to.aside_x)) - walker.rest_x
-    y = 0.5 * (walker.foot_y + (walker.y + to.aside_y)) - walker.rest_y
-    room = inf
-    for i in range(len(others)):
-        px, py = others[i].rest_x - x, others[i].rest_y - y
-        way = terms.way_to(walker, others[i], px, py, to.ahead_x, to.ahead_y, NARROWER, 0.5 * enough)
-        if way > 0:
-            room = min(room, way)
-    return 2 * (room + squeeze(walker, to.ahead_x, to.ahead_y))
 
 
 @jit_borrowing
@@ -161,12 +167,13 @@ def _lay(round: Round, walker: Walker, right: float, wished: Candidate, scratch:
         to = bearing_of(biped, walker, DIRECTIONS[k])
         speed = _speed_in(round, walker, scratch, to.ahead_x, to.ahead_y)
         enough = min(speed * most, to.longest)
-        length[k] = min(enough, max(_room_in(walker, others, to, enough), least))
-        if length[k] >= least:
-            length[k] = min(speed * candidate(biped, walker, to, length[k]).time, length[k])
-        if length[k] < least:
-            length[k] = -CLAIMS * to.longest
-        _put(round, walker, right, k, candidate(biped, walker, to, abs(length[k])), scratch)
+        length[k] = min(enough, max(terms.room_in(walker, others, to, enough), least))
+        step = candidate(biped, walker, to, length[k])
+        goes = min(speed * step.time, length[k]) if length[k] >= least else 0.0
+        if goes < max(length[k], least):
+            length[k] = goes if goes >= least else -CLAIMS * to.longest
+            step = candidate(biped, walker, to, abs(length[k]))
+        _put(round, walker, right, k, step, scratch)
     for k in (STAND, WISH):
         _put(round, walker, right, k, wished, scratch)
     dx, dy = wished.x - walker.x, wished.y - walker.y
@@ -180,9 +187,7 @@ def _lay(round: Round, walker: Walker, right: float, wished: Candidate, scratch:
 @jit_borrowing
 def _put(round: Round, walker: Walker, right: float, k: int, candidate: Candidate, scratch: Scratch) -> None:
     """Makes a candidate the one of direction k, or what one would stand instead of, or the wish."""
-    step = scratch.step[k]
-    step.x, step.y, step.heading = candidate.x, candidate.y, candidate.heading
-    step.foot_x, step.foot_y, step.time = candidate.foot_x, candidate.foot_y, candidate.time
+    candidates.keep(scratch.step[k], candidate)
     scratch.cost[k], scratch.weighed[k] = least_cost(round, walker, right, candidate, k != STAND), False
 
 
@@ -192,15 +197,10 @@ def _cheapest(round: Round, walker: Walker, right: float, scratch: Scratch) -> i
     cost, weighed, step = scratch.cost, scratch.weighed, scratch.step
     k = int(np.argmin(cost))
     while not weighed[k] and cost[k] < inf:
-        cost[k] = cost_of(round, walker, scratch.others, right, _candidate_in(step[k]), k != STAND)
+        cost[k] = cost_of(round, walker, scratch.others, right, candidate_in(step[k]), k != STAND)
         weighed[k] = True
         k = int(np.argmin(cost))
     return k
-
-
-@jit_borrowing
-def _candidate_in(record: Any) -> Candidate:
-    return Candidate(record.x, record.y, record.heading, record.foot_x, record.foot_y, record.time)
 
 
 @jit_borrowing
@@ -215,8 +215,9 @@ def _shorten(round: Round, walker: Walker, right: float, near: np.ndarray, k: in
     cost[k] = inf
     while length[k] * SHORTER_BY >= LEAST * biped.gait.preferred_step:
         length[k] *= SHORTER_BY
-        if candidates.may_be_taken(round, walker, near, candidate(biped, walker, to, length[k])):
-            _put(round, walker, right, k, candidate(biped, walker, to, length[k]), scratch)
+        shorter = candidate(biped, walker, to, length[k])
+        if candidates.may_be_taken(round, walker, near, shorter):
+            _put(round, walker, right, k, shorter, scratch)
             while tried > length[k]:
                 tried *= SHORTER_BY
                 step = candidate(biped, walker, to, tried)
@@ -225,19 +226,19 @@ def _shorten(round: Round, walker: Walker, right: float, near: np.ndarray, k: in
             return
 
 
-@jit
+@jit_borrowing
 def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: np.ndarray) -> Candidate:
     """The cheapest step that is free; its time is 0 where that is to stand, which one may also wish for.
 
     left: of where I should pass (Passage).
     """
-    c, cost, length = walker.c, np.empty(WISH + 1), np.empty(STAND)
-    others, close = np.empty(len(near), NEIGHBOUR), np.empty(len(near), NEIGHBOUR)
+    c, others, close, dense = walker.c, _neighbours()[: len(near)], _neighbours(), _numbers_of_neighbours()
+    cost, length = _costs(), _lengths()
     biped, aim = round.bipeds[round.kind[c]], (round.intents.aim[c, 0], round.intents.aim[c, 1])
     least, claimed = LEAST * biped.gait.preferred_step, False
     see(round.reservations, walker, aim, float(walker.hindered), near, others)
-    close = close[: close_by(round, walker, others, close)]
-    scratch = Scratch(others, close, cost, np.empty(WISH + 1, np.bool_), length, np.empty(WISH + 1, CANDIDATE))
+    close, dense = close[: close_by(round, walker, others, close)], dense[: _dense(round, walker, others, dense)]
+    scratch = Scratch(others, close, dense, cost, _truths(), length, _steps())
     right = max(on_the_right(walker, others, round.reservations.reach), left) if round.weights[round.kind[c]].side > 0 else 0.0
     _lay(round, walker, right, wished, scratch)
     while True:
@@ -249,12 +250,12 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
         if claimed and k < STAND and length[k] < 0:
             cost[k] = inf
             continue
-        step = _candidate_in(scratch.step[k])
-        if not crosses(biped, walker, step) and is_open(round, walker, step):
+        step = candidate_in(scratch.step[k])
+        if not candidates.crosses(biped, walker, step) and candidates.is_open(round, walker, step):
             if not claimed:
                 claimed = True
                 _claim(round, walker, others, 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y))
-            if (k == WISH or length[k] > 0) and is_free(round, walker, near, step):
+            if (k == WISH or length[k] > 0) and candidates.is_free(round, walker, near, step):
                 return step
         if k < STAND and claimed:
             _shorten(round, walker, right, near, k, scratch)

@@ -18,6 +18,8 @@ less before. So an arch before a door gives way, as it does where people push. A
 
 NEAREST = 0.95
 """Who is nearer to a tree, wall or border than half its width, as bodies sway, comes no nearer than this share of it."""
+CROWDED = 48
+"""Where more others than this are in reach, one looks for those who are nearer."""
 
 
 class Walker(NamedTuple):

@@ -227,10 +227,10 @@ def _advance_in_threads(parts: Parts, address: int, turn: np.ndarray, counter: n
 
 
 @jit
-def advance_all(parts: Parts, address: int, until: float, placed: np.ndarray) -> None:
+def advance_all(parts: Parts, address: int, until: float, placed: np.ndarray, threads: int) -> None:
     """One round of the Work at an address for every character whose committed curve ends before `until` [s].
 
-    placed (C,) counts the new footprints.
+    placed (C,) counts the new footprints; threads: how many there are.
 
     Neighbours who are due in the same tick take turns, as often as needed: all of a turn decide against what was published
     before, then all publish, so the order of threads does not matter.
@@ -244,7 +244,7 @@ def advance_all(parts: Parts, address: int, until: float, placed: np.ndarray) ->
     while len(due) > 0:
         turn = reservations.without_neighbours(held, due)
         counter[0] = 0
-        if len(turn) <= SHARE:
+        if threads == 1 or len(turn) <= SHARE:  # a thread of numba's has to be woken, even where it is the only one
             _advance_some(parts, address, turn, counter)
         else:
             _advance_in_threads(parts, address, turn, counter)

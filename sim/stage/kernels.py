@@ -48,7 +48,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
         "going around others": [(rounds.go_around[PEOPLE.model], ())],
         **{name: [(planner.planning.part, ())] for name, planner in PLANNERS.items()},
         "ways": [(field.lay_out, (biped, w, 0.0, matrix)), (field.sweep, (matrix, 0.0, matrix.astype(np.float32)))],
-        "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), 0, 0.0, one))],
+        "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), 0, 0.0, one, 0))],
         "poses": [
             (pose_one, ()),
             (posing.pose_rows, (0, 0, 0.0, one, empty_pose(1))),

@@ -7,6 +7,7 @@ step n - 1 committed. Poses are asked for, at any time that is committed; asking
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+import numba
 import numpy as np
 
 from motion.characters.character import Character
@@ -180,7 +181,8 @@ class Simulation(Cast):
     def _plan(self) -> None:
         """Rounds until nobody runs out of motion. Raises what a planner in Python raised, ValueError for bad wishes."""
         with THREADS:
-            rounds.advance_all(rounds.compiled_parts(), self.work.address, self.time + 1e-9, self._placed)
+            threads = numba.get_num_threads()
+            rounds.advance_all(rounds.compiled_parts(), self.work.address, self.time + 1e-9, self._placed, threads)
         if self._placed.any():
             self.footprints.add(self.crowd, self._placed)
         self.planner.planning.check()

@@ -23,6 +23,20 @@ def total(_, x):
 
 
 @intrinsic
+def total_in_turn(_, x, y):
+    """Sum of the lanes of both, the first of x, then of y, then the second ones."""
+
+    def codegen(context, builder, sig, args):
+        found = ir.Constant(ir.DoubleType(), 0.0)
+        for k in range(LANES):
+            for one in args:
+                found = builder.fadd(found, builder.extract_element(one, ir.Constant(ir.IntType(32), k)))
+        return found
+
+    return signature(types.float64, x, y), codegen
+
+
+@intrinsic
 def bits_of(_, mask):
     """A whole number with bit k set where lane k is true."""
 
@@ -52,3 +66,18 @@ def lane(_, x, k):
         return builder.extract_element(args[0], ir.Constant(ir.IntType(32), sig.args[1].literal_value))
 
     return (signature(types.float64, x, k), codegen) if isinstance(k, types.IntegerLiteral) else None
+
+
+@intrinsic
+def turned(_, a, b, c, d):
+    """Four lanes as rows of a square, by its columns: what lane k of each holds becomes the k-th of what is returned."""
+
+    def codegen(context, builder, sig, args):
+        kind = ir.VectorType(ir.IntType(32), LANES)
+        low, high = ir.Constant(kind, [0, 4, 2, 6]), ir.Constant(kind, [1, 5, 3, 7])
+        pairs = [builder.shuffle_vector(x, y, order) for x, y in (args[:2], args[2:]) for order in (low, high)]
+        first, last = ir.Constant(kind, [0, 1, 4, 5]), ir.Constant(kind, [2, 3, 6, 7])
+        columns = [builder.shuffle_vector(pairs[k], pairs[k + 2], order) for order in (first, last) for k in (0, 1)]
+        return context.make_tuple(builder, sig.return_type, columns)
+
+    return signature(types.UniTuple(KIND, LANES), a, b, c, d), codegen

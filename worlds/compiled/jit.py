@@ -3,11 +3,14 @@
 A kernel keeps its Python signature for the type checker: what is decorated is called as it is written.
 """
 
+import math
 import os
 import re
 import warnings
 from collections.abc import Callable
 from typing import Any, TypeVar
+
+import numpy as np
 
 from worlds.compiled import cache, telling
 from worlds.errors import InputError
@@ -128,20 +131,23 @@ def start_threads() -> None:
         raise InputError(f"NUMBA_THREADING_LAYER={layer}: numba has no such threads here ({reason}); unset it") from None
 
 
-def stack_array(rows: int, columns: int) -> Any:
-    """What makes a float64 array (rows, columns) on the stack, for kernels that make none; it lives while the kernel runs."""
-    kind, shape = types.Array(types.float64, 2, "C"), (rows, columns)
+def stack_array(*shape: int, dtype: Any = np.float64) -> Any:
+    """What makes an array of this shape on the stack, for kernels that make none; it lives while the kernel runs, and holds
+    anything at first."""
+    element = np.dtype(dtype)
+    kind, size = types.Array(numba.from_dtype(element), len(shape), "C"), element.itemsize * math.prod(shape)
+    strides = [element.itemsize * math.prod(shape[k + 1 :]) for k in range(len(shape))]
 
     def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        data = cgutils.alloca_once(builder, ir.ArrayType(ir.DoubleType(), rows * columns))
+        data = cgutils.alloca_once(builder, ir.ArrayType(ir.DoubleType(), (size + 7) // 8))
         array = context.make_array(kind)(context, builder)
-        numbers = [context.get_constant(types.intp, n) for n in (*shape, 8 * columns, 8)]
+        numbers = [context.get_constant(types.intp, n) for n in (*shape, *strides, element.itemsize)]
         context.populate_array(
             array,
             data=builder.bitcast(data, array.data.type),
-            shape=cgutils.pack_array(builder, numbers[:2]),
-            strides=cgutils.pack_array(builder, numbers[2:]),
-            itemsize=numbers[3],
+            shape=cgutils.pack_array(builder, numbers[: len(shape)]),
+            strides=cgutils.pack_array(builder, numbers[len(shape) : -1]),
+            itemsize=numbers[-1],
             meminfo=None,
         )
         return array._getvalue()

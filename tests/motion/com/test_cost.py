@@ -124,8 +124,10 @@ def test_strength_counts_beyond_itself_alone(strength):
 def test_reach_model_is_the_derivative_of_its_cost():
     com, q = np.array([0.3, 0.1, 0.95]), np.array([[0.0, 0.1, 0.05], [0.55, -0.1, 0.05]])
     standing, limit = np.array([True, True]), np.array([0.9, 0.9])
-    e, force, _ = cost.reach_model(tuple(com), q, standing, limit, 100.0)
+    legs = [cost.reach_model(tuple(com), tuple(q[k]), standing[k], limit[k], 100.0) for k in range(2)]
+    e, force = sum(leg.cost for leg in legs), np.sum([leg.gradient for leg in legs], axis=0)
     assert e == pytest.approx(cost.reach_cost(com, q, standing, limit, 100.0)) and e > 0
+    assert cost.reach_model(tuple(com), tuple(q[0]), False, limit[0], 100.0).cost == 0
     for axis in np.eye(3):
         near = [cost.reach_cost(com + d * axis, q, standing, limit, 100.0) for d in (1e-6, -1e-6)]
         assert force @ axis == pytest.approx((near[0] - near[1]) / 2e-6, rel=1e-5, abs=1e-4)

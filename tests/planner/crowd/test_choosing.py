@@ -15,8 +15,10 @@ from planner.crowd.choosing import (
     WISH,
     Scratch,
     _cheapest,
+    _dense,
     _lay,
     _shorten,
+    _speed_in,
     cost_of,
     least_cost,
 )  # fmt: skip
@@ -47,13 +49,28 @@ def throng(seed, count=20):
     return others
 
 
+def scratch_of(me, others):
+    steps = np.empty(WISH + 1, CANDIDATE).view(np.recarray)
+    dense, cost, weighed = np.empty((len(others), 3)), np.empty(WISH + 1), np.empty(WISH + 1, np.bool_)
+    dense = dense[: _dense(ROUND, me, others, dense)]
+    return Scratch(others, others, dense, cost, weighed, np.empty(STAND), steps)
+
+
 def weighed(seed, right):
     """(walker, others, scratch) of one who chooses in a throng, as it wishes to go on straight ahead."""
     me, others = waiting(course=0.3), throng(seed)
-    steps = np.empty(WISH + 1, CANDIDATE).view(np.recarray)
-    scratch = Scratch(others, others, np.empty(WISH + 1), np.empty(WISH + 1, np.bool_), np.empty(STAND), steps)
+    scratch = scratch_of(me, others)
     _lay(ROUND, me, right, Candidate(5.5, 5.1, 0.1, 5.5, 5.0, 0.5), scratch)
     return me, others, scratch
+
+
+def test_nobody_who_is_behind_or_comes_against_one_makes_it_dense_ahead():
+    me, others = waiting(), throng(3)
+    others["x"], others["along"] = np.abs(others["x"]), 0.0
+    nobody = scratch_of(me, others)._replace(close=others[:0])
+    assert _speed_in(ROUND, me, nobody, 1.0, 0.0) < 0.9 * me.full and _speed_in(ROUND, me, nobody, -1.0, 0.0) == me.full
+    others["along"] = -1.0
+    assert _speed_in(ROUND, me, scratch_of(me, others)._replace(close=others[:0]), 1.0, 0.0) == me.full
 
 
 @given(st.integers(0, 500), st.floats(0, 2.5))

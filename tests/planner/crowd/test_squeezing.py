@@ -7,7 +7,7 @@ from motion.track.footprints import Feet, Foot
 from planner.crowd import terms
 from planner.crowd.bodies import gap_between
 from planner.crowd.candidates import bearing_of, candidate
-from planner.crowd.choosing import _room_in
+from planner.crowd.terms import room_in
 from planner.crowd.walker import PRESSED, SQUEEZE, squeeze, walker_of
 from planner.round.reservations import strays
 from planner.round.round import Me
@@ -31,11 +31,11 @@ def test_the_edge_of_a_shoulder_is_passed_by():
 
 def test_a_step_is_as_long_as_the_body_comes_to_rest_where_it_touches_who_stops():
     me = waiting()._replace(foot_x=5.0, foot_y=4.93, side=0)
-    long = _room_in(me, other(0.7, 0.0), bearing_of(B, me, 0.0), 0.7)
+    long = room_in(me, other(0.7, 0.0), bearing_of(B, me, 0.0), 0.7)
     step = candidate(B, me, bearing_of(B, me, 0.0), long)
     x, y = 0.5 * (me.foot_x + step.foot_x) - me.rest_x, 0.5 * (me.foot_y + step.foot_y) - me.rest_y
     assert long > 0.3 and gap_between(LONG, (1.0, 0.0), LONG, (1.0, 0.0), 0.7 - x, -y) == pytest.approx(0, abs=2e-3)
-    assert _room_in(me, other(-0.7, 0.0), bearing_of(B, me, 0.0), 0.7) == np.inf, "who is behind is in nobody's way"
+    assert room_in(me, other(-0.7, 0.0), bearing_of(B, me, 0.0), 0.7) == np.inf, "who is behind is in nobody's way"
 
 
 def test_who_has_long_stood_presses_into_the_room_that_bodies_keep():

@@ -185,11 +185,9 @@ def spread(density, far=2.1, wide=0.2378, deep=0.185):
 @pytest.mark.parametrize("density", [1.5, 2.0, 3.0])
 def test_people_walk_as_slowly_as_their_density_ahead_tells(density):
     """Weidmann's curve for people, a little steeper; nobody behind counts, and where bodies touch all shuffle on."""
-    ahead = sum(terms.covered(other, 1.0, 0.0, 2.1) for other in spread(density))
+    everyone = spread(density)
+    ahead = sum(terms.covered(other, 2.1) for other in everyone[everyone.x > 0])
     assert ahead == pytest.approx(density * 4 * 0.2378 * 0.185, rel=0.12)
     assert terms.pace_at(ahead) == pytest.approx(1 - np.exp(-2.2 * (1 / density - 1 / 5.4)), abs=0.08)
-    behind = spread(density)
-    behind = behind[behind.x < 0]
-    assert sum(terms.covered(other, 1.0, 0.0, 2.1) for other in behind) == 0
     assert terms.pace_at(0.0) == 1 and terms.pace_at(0.95) == terms.SLOWEST
-    assert sum(terms.covered(other, 1.0, 0.0, 0.0) for other in spread(density)) == 0, "who does not look ahead"
+    assert sum(terms.covered(other, 0.0) for other in everyone) == 0, "who does not look ahead"

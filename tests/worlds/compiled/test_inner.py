@@ -1,6 +1,7 @@
 """Kernels that others call are lowered alone, and do what they do when they are called from Python."""
 
 import numpy as np
+from llvmlite.binding import Linkage
 
 from worlds.compiled import jit
 from worlds.compiled.inner import Compiled
@@ -32,6 +33,14 @@ def test_what_is_called_by_kernels_alone_is_not_made_whole():
     assert _weighed(2.0, weights) == 6.0 and _weighed(2, weights, scale=3.0) == 9.0
     np.testing.assert_array_equal(_twice(2.0, weights), [6.0, 9.0])
     assert [len(kernel.signatures) for kernel in (_weighed, _twice)] == [2, 1]
+
+
+def test_what_a_kernel_has_linked_is_its_own():
+    _sum_of_twice(2.0, np.array([1.5]))
+    (whole,) = _sum_of_twice.overloads.values()
+    names = {function.name for function in whole.library._final_module.functions if not function.is_declaration}
+    own = {name for name in names if whole.library._final_module.get_function(name).linkage == Linkage.internal}
+    assert {name for name in names if "8_weighed" in name or "6_twice" in name} <= own
 
 
 def test_errors_of_inner_kernels_reach_python():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from worlds.compiled.across import bits_of, lane, shifted, total
+from worlds.compiled.across import bits_of, lane, shifted, total, total_in_turn, turned
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline, stack_array
 from worlds.compiled.lanes import LANES, choose, lanes_of, larger, load, root, store
 
@@ -99,3 +99,20 @@ def fibonacci(n):
 
 def test_array_on_the_stack_is_an_array():
     assert fibonacci(10) == (144.0, 3, 1.0)
+
+
+@jit_borrowing
+def turned_over(square, out):
+    rows = turned(load(square, (0, 0)), load(square, (1, 0)), load(square, (2, 0)), load(square, (3, 0)))
+    store(out, (0, 0), rows[0])
+    store(out, (1, 0), rows[1])
+    store(out, (2, 0), rows[2])
+    store(out, (3, 0), rows[3])
+    return total_in_turn(rows[0], rows[1])
+
+
+def test_four_lanes_turned_over_and_the_sum_of_two_in_turn():
+    square, out = np.random.default_rng(2).normal(size=(LANES, LANES)), np.zeros((LANES, LANES))
+    found = turned_over(square, out)
+    np.testing.assert_array_equal(out, square.T)
+    assert found == sum(square[:, :2].ravel().tolist())
