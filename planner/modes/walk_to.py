@@ -9,9 +9,9 @@ from planner.modes.stops import Stops, check_stops, check_ways, empty_stops, is_
 from planner.planner import Situation, as_numbers
 from planner.round.kernel import Compiled
 from planner.round.round import Me, Round, Wish, biped_of
-from planner.stepping.arriving import arrive, drawn, is_content, sees, walk_down, walk_on
+from planner.stepping.arriving import arrive, drawn, is_content, look_down, sees, walk_down, walk_on
 from planner.stepping.beside import Place, middle_beside
-from planner.stepping.field import course_down, fields_to, for_all
+from planner.stepping.field import fields_to, for_all
 from planner.stepping.finding import surely
 from planner.stepping.steering import Onward, free_way, lengthened
 from worlds import queries
@@ -21,8 +21,6 @@ from worlds.errors import InputError
 from worlds.limits import LONGEST, number
 from worlds.world import World
 
-FORESIGHT, GLANCE = 3.0, 0.4
-"""Others are told where the way leads in so many preferred steps, found in steps of so many."""
 ABEAM = 0.7
 """Whom others hinder has passed a stop on the way once the cosine between its direction and the leg to it is below this."""
 
@@ -71,18 +69,6 @@ def _straight(round: Round, me: Me, middle: Place, stop: Place, draw: Place) -> 
 
 
 @jit_borrowing
-def _tell_ahead(round: Round, me: Me, middle: Place, stop: int) -> None:
-    """Sets the intent of where the way down the field of a stop leads in FORESIGHT preferred steps."""
-    plans, stride, (x, y) = round.plans, biped_of(round, me).gait.preferred_step, middle
-    goal, field, cell = plans.stops[me.c, stop], plans.fields[plans.field[me.c, stop]], plans.cell[0]
-    for _ in range(int(FORESIGHT / GLANCE)):
-        course = course_down(field, cell, x, y, atan2(goal[1] - y, goal[0] - x))
-        x, y = x + GLANCE * stride * cos(course), y + GLANCE * stride * sin(course)
-    far = max(hypot(x - middle[0], y - middle[1]), 1e-9)
-    round.intents.ahead[me.c, 0], round.intents.ahead[me.c, 1] = (x - middle[0]) / far, (y - middle[1]) / far
-
-
-@jit_borrowing
 def _tread_by_tread(world: WorldArrays, middle: Place, on: Onward) -> Onward:
     """The step, which on straight stairs is no longer than a tread where it would take two (Fruin 1971: people take one)."""
     if world.terrain_kind != STAIRS:
@@ -110,8 +96,9 @@ def step_to_stop(round: Round, me: Me) -> Wish:
     stop = (plans.stops[me.c, at, 0], plans.stops[me.c, at, 1])
     field, draw = plans.field[me.c, at], (plans.draw[me.c, 0], plans.draw[me.c, 1])
     if field >= 0 and not sees(round, me, middle, stop):
-        on = walk_down(round, me, middle, plans.fields[field], plans.cell[0], stop, draw)
-        _tell_ahead(round, me, middle, at)
+        way = look_down(biped, round.world, middle, plans.fields[field], plans.cell[0], stop)
+        round.intents.ahead[me.c, 0], round.intents.ahead[me.c, 1] = way.ahead_x, way.ahead_y
+        on = walk_down(round, me, middle, way.course, draw)
     else:
         on = _straight(round, me, middle, stop, draw)
     on = _tread_by_tread(round.world, middle, on)

@@ -17,7 +17,7 @@ from planner.planner import NoWay, Situation, fault_of_place
 from planner.round.kernel import Compiled
 from planner.round.round import Me, Round, Wish, biped_of
 from planner.stepping import random
-from planner.stepping.arriving import sees, walk_down, walk_on
+from planner.stepping.arriving import look_down, sees, walk_down, walk_on
 from planner.stepping.beside import Place, middle_beside
 from planner.stepping.field import BARS, fields_to, for_all, ways_from
 from planner.stepping.finding import surely
@@ -98,7 +98,8 @@ def _next_step(round: Round, me: Me) -> Wish:
     if _has_errand(round, me, middle):
         to = (goal[me.c, 0], goal[me.c, 1])
         if len(round.plans.fields) > 0 and not sees(round, me, middle, to):
-            on = walk_down(round, me, middle, round.plans.fields[0], round.plans.cell[0], to, (0.0, 0.0))
+            course = look_down(biped, round.world, middle, round.plans.fields[0], round.plans.cell[0], to).course
+            on = walk_down(round, me, middle, course, (0.0, 0.0))
         else:
             on = walk_on(biped, round.world, middle, foot.heading, to, round.seed, (me.c, me.number))
         return surely(round, me, (on.x, on.y), on.heading, on.course, True)

@@ -20,7 +20,7 @@ class Weights(NamedTuple):
     """Of a radian that the foot turns off the wished course, or the body goes off its heading: more of it walks straighter."""
     gap: float = 0.9
     """Time gap kept to who is ahead, in swings: more of it follows from further behind, and flows less."""
-    ahead: float = 3.1
+    ahead: float = 3.6
     """How far one looks at how dense it is ahead, in strides, to walk as slowly as that tells: more of it speeds up sooner
     where a throng ends ahead, and flows more; 0 does not look."""
     touch: float = 0.35

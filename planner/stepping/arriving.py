@@ -1,6 +1,7 @@
 """Walking to a place over open land, and coming to rest there."""
 
 from math import atan2, cos, hypot, sin
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,6 +20,8 @@ from worlds.compiled.jit import jit, jit_borrowing
 
 STAND_TIME = 0.5
 """A standing character plans again after this time [s]."""
+FORESIGHT, GLANCE = 3.0, 0.4
+"""One looks so many preferred steps down a way, in glances of so many."""
 AT_HAND = 0.2
 """Down a field one looks so many preferred steps ahead: it knows of what lies beyond."""
 SIGHT = 6.0
@@ -53,11 +56,38 @@ def drawn(draw: Place, course: float) -> float:
     return course if draw[0] == 0 and draw[1] == 0 else atan2(sin(course) + draw[1], cos(course) + draw[0])
 
 
+class Outlook(NamedTuple):
+    """Where a way leads."""
+
+    course: float  # to the furthest place of it that one sees [rad]
+    ahead_x: float  # unit vector to where it leads in FORESIGHT
+    ahead_y: float
+
+
 @jit_borrowing
-def walk_down(round: Round, me: Me, middle: Place, field: np.ndarray, cell: float, stop: Place, draw: Place) -> Onward:
-    """A step down the field of a stop, close by walls: it leads through doors; draw: toward those with whom one walks."""
+def look_down(
+    biped: Dimensions, world: WorldArrays, middle: Place, field: np.ndarray, cell: float, stop: Place
+) -> Outlook:  # fmt: skip
+    """The way down the field of a stop. One makes for the furthest place of it that one sees, as people do (Kneidl, Borrmann &
+    Hartmann 2012): cells are coarse, and beside a door all of their slopes lead into one file through its middle."""
+    (x, y), seen = middle, True
+    step, margin = GLANCE * biped.gait.preferred_step, min(biped.body.radius, queries.clearance(world, x, y) - 0.01)
+    down = course = course_down(field, cell, x, y, atan2(stop[1] - y, stop[0] - x))
+    for _ in range(int(FORESIGHT / GLANCE)):
+        x, y = x + step * cos(down), y + step * sin(down)
+        far, there = hypot(x - middle[0], y - middle[1]), atan2(y - middle[1], x - middle[0])
+        seen = seen and free_way(biped, world, middle[0], middle[1], there, margin, far) >= far
+        if seen:
+            course = there
+        down = course_down(field, cell, x, y, atan2(stop[1] - y, stop[0] - x))
+    far = max(hypot(x - middle[0], y - middle[1]), 1e-9)
+    return Outlook(course, (x - middle[0]) / far, (y - middle[1]) / far)
+
+
+@jit_borrowing
+def walk_down(round: Round, me: Me, middle: Place, course: float, draw: Place) -> Onward:
+    """A step down a way (Outlook), close by walls: it leads through doors; draw: toward those with whom one walks."""
     biped, foot, (x, y) = biped_of(round, me), me.feet.newer, middle
-    course = course_down(field, cell, x, y, atan2(stop[1] - y, stop[0] - x))
     right_first = random.uniform(round.seed, me.c, 0, random.SIDE) < 0.5
     margin, look = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01), AT_HAND * biped.gait.preferred_step
     wanted = unwrapped(drawn(draw, course), foot.heading)
