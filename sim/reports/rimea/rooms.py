@@ -128,7 +128,7 @@ def aged(count: int = 50) -> Simulation:
     return Simulation(world, [one.character for one in persons], WalkTo(starts, stops[:, None], near=1.2), SEED)
 
 
-def hall(doors: int, count: int = 150) -> tuple[World, Traffic]:
+def hall(doors: int, count: int = 300) -> tuple[World, Traffic]:
     """RiMEA 9: a hall of 20 by 14 m with four doors of 1 m, or two (30 by 20 m, 1000 people there)."""
     gaps = [("north", 6.0, 7.0), ("north", 13.0, 14.0), ("south", 6.0, 7.0), ("south", 13.0, 14.0)]
     world = World("hall", (24.0, 22.0), walls=room((2.0, 4.0, 22.0, 18.0), [(s, a + 2, b + 2) for s, a, b in gaps[:doors]]))
