@@ -6,11 +6,12 @@ Faults are ValueErrors; whoever reads a file names it.
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from motion.pose.pose import Pose
 from motion.track.footprints import Footprints
 from planner.round.refusals import LONGEST, TURNED
+from planner.round.weights import NUMBERS, Weights
 from planner.script.shaping import Style
 from planner.script.track import Track
 from sim.files.archive import Arrays
@@ -47,6 +48,17 @@ class _Kind(_Strict):
     look: Plain
 
 
+def _all_weights(weights: dict[str, float | str]) -> dict[str, float | str]:
+    """The weights of walking among others, none missing: it would be the usual one for all who go on."""
+    missing, words = (
+        [name for name in Weights._fields if name not in weights],
+        [k for k in NUMBERS if type(weights.get(k)) is str],
+    )
+    if missing or words:
+        raise ValueError(f"lacks {', '.join(missing)}" if missing else f"{', '.join(words)}: numbers are needed")
+    return weights
+
+
 class StateMeta(_Strict):
     """The meta of a saved state."""
 
@@ -64,7 +76,7 @@ class StateMeta(_Strict):
     first_world: Plain | None
     kinds: Annotated[list[_Kind], Field(min_length=1)]
     kind: Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=1, max_length=MOST_CHARACTERS)]
-    weights: dict[str, float | str]
+    weights: Annotated[dict[str, float | str], AfterValidator(_all_weights)]
     planner: _Named
     changes: list[_Change]
 

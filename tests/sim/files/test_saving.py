@@ -15,8 +15,9 @@ from motion.characters.character import load_character
 from planner.modes.custom import Custom
 from planner.modes.walk_to import WalkTo
 from planner.round.weights import PEOPLE
+from sim.files import archive
 from sim.files.archive import flat
-from sim.files.saving import restore, save
+from sim.files.saving import FORMAT, _digest, restore, save
 from sim.stage.commands import SetGoal, apply
 from sim.stage.making import make_simulation
 from sim.stage.simulation import Simulation
@@ -136,6 +137,26 @@ def test_bad_states_are_refused(tmp_path, capsys):
         assert "Traceback" not in capsys.readouterr().err
     assert main.main(["--headless", "--seconds", "0.01", "--restore", str(state), "--json"]) in (0, 2)
     assert main.main(["--headless", "--seconds", "1", "--save", str(tmp_path / "no" / "s.npz")]) == 2
+
+
+def test_weights_are_restored_as_they_were_or_not_at_all(tmp_path):
+    """Also where the file is what was written: a weight that is missing would be the usual one."""
+    save(walkers(), tmp_path / "state.npz")
+    arrays, meta = archive.read(tmp_path / "state.npz", "a state", "--save", (), FORMAT)
+    weights = meta["weights"]
+    spoiled = {
+        "lacks side": {name: weight for name, weight in weights.items() if name != "side"},
+        "side, stand: numbers": weights | {"side": "1.5", "stand": ""},
+        "side: nan is no weight": weights | {"side": np.nan},
+        "stand: -1.0 is no weight": weights | {"stand": -1.0},
+        "'herd' is no model": weights | {"model": "herd"},
+        "unexpected keyword argument 'up'": weights | {"up": 1.0},
+    }
+    for said, changed in spoiled.items():
+        meta["weights"] = changed
+        archive.write(tmp_path / "bad.npz", arrays, meta | {"digest": _digest(arrays, meta)})
+        with pytest.raises(InputError, match=said):
+            restore(tmp_path / "bad.npz")
 
 
 def test_states_with_two_in_one_place_are_refused(tmp_path):
