@@ -252,7 +252,7 @@ def _begin_anew(problem: Problem, control: np.ndarray, e: float) -> tuple[float,
     """The better of the curve found, of cost e, and one from a cold start: a bad last window must not spoil all that follow."""
     cold = control.copy()
     guess.straight_guess(problem, cold, 1)
-    cold_e, iterations = newton.minimise(problem, cold, newton.HARDER)
+    cold_e, iterations = newton.minimise(problem, cold, newton.ANEW)
     if cold_e < e:
         for i in range(len(control)):
             for k in range(6):
