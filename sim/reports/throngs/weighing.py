@@ -86,9 +86,10 @@ def _party(weights: Weights) -> Flow:
 
 
 def _nearest(flow: Flow) -> float:
-    """How far it is to the nearest other one at the end, on average [m]."""
-    away = np.hypot(*np.moveaxis(flow.place[-1][:, None] - flow.place[-1], 2, 0))
-    return float((away + np.where(np.eye(len(away)), np.inf, 0)).min(axis=1).mean())
+    """How far it is to the four nearest others in the last four seconds, on average [m]."""
+    place = flow.place[-4 * PER_SECOND :]
+    away = np.hypot(*np.moveaxis(place[:, :, None] - place[:, None], 3, 0))
+    return float(np.sort(away + np.where(np.eye(place.shape[1]), np.inf, 0), axis=2)[..., :4].mean())
 
 
 def _streams(weights: Weights) -> Flow:
@@ -151,8 +152,8 @@ SCENES = {
     "ahead": Scene(partial(_throng, 2.0), _pace, "looks further ahead for throngs", "get on at {:.2f} m/s", _RING, BODIES, 9.9),
     "touch": Scene(_HEAD_ON, _apart, "swerves wider", "two who meet pass {:.2f} m apart", _FAN),
     "horizon": Scene(_STANDS, _apart, "looks further ahead", "pass who stands {:.2f} m apart", _FAN),
-    "near": Scene(_party, _nearest, "spreads out", "{:.2f} m to the nearest", _PARTY, BODIES, 4.9),
-    "distance": Scene(_party, _nearest, "feels others further off", "{:.2f} m to the nearest", _PARTY, BODIES, 4.9),
+    "near": Scene(_party, _nearest, "spreads out", "{:.2f} m to four others", _PARTY, BODIES, 4.9),
+    "distance": Scene(_party, _nearest, "feels others further off", "{:.2f} m to four others", _PARTY, BODIES, 4.9),
     "side": Scene(_streams, _order, "parts streams into lanes", "order of lanes {:.2f}", (8.0, 20.0, 0.8, 5.2)),
     "around": Scene(_circle, _off_middle, "goes wider around", "up to {:.1f} m from the middle", _ROUND),
     "rank": Scene(_door, flows.last_through, "makes way sooner", "last through after {:.0f} s", _DOOR, BODIES, 20.0),
