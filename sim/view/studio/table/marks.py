@@ -221,4 +221,4 @@ def draw_line(draw: imgui.ImDrawList, points: np.ndarray, colour: theme.Colour, 
     """A line through those of the screen places (N, 2) that are there."""
     known = points[np.isfinite(points).all(axis=1)]
     if len(known) > 1:
-        draw.add_polyline([vector(one) for one in known], ink(colour, alpha), width, 0)
+        draw.add_polyline([imgui.ImVec2(x, y) for x, y in known.tolist()], ink(colour, alpha), width, 0)

@@ -21,6 +21,8 @@ from sim.view.theme import ink
 
 PIECES = 5
 """Straight pieces to a segment of the curve."""
+FINE = 2.5
+"""Points of the curve that are drawn are so many pixels apart."""
 GHOSTS = 9
 """Ghosts that are drawn, those nearest in time."""
 FORCE = 0.05
@@ -111,11 +113,20 @@ def draw_curve(pen: Pen, sampled: Sampled) -> None:
     draw, canvas, scale = pen
     if not sampled.spans:
         return
-    ends = canvas.project(sampled.points[[span.first for span in sampled.spans], 0])
-    for k in np.flatnonzero(inside(canvas.box, ends, 200.0)):
-        span = sampled.spans[k]
-        line = sampled.points[span.first : span.last].reshape(-1, 3)
-        draw_line(draw, canvas.project(line), theme.PHASES[span.phase], 0.95, 2.2 * scale)
+    places, each = canvas.project(sampled.points.reshape(-1, 3)), sampled.points.shape[1]
+    first, last = each * np.array([(span.first, span.last) for span in sampled.spans]).T
+    seen = _seen(places, first, last)
+    for k in np.flatnonzero(inside(canvas.box, places[first], 200.0)):
+        line = places[first[k] : last[k]][seen[first[k] : last[k]]]
+        draw_line(draw, line, theme.PHASES[sampled.spans[k].phase], 0.95, 2.2 * scale)
+
+
+def _seen(places: np.ndarray, first: np.ndarray, last: np.ndarray) -> np.ndarray:
+    """(N,) bool: the screen places (N, 2) of a curve that are FINE apart along it, and the ends of each of its spans."""
+    way = np.cumsum(np.nan_to_num(np.hypot(*np.diff(places, axis=0).T)))
+    seen = np.diff(np.floor(way / FINE), prepend=[0.0, 0.0]) > 0
+    seen[first] = seen[last - 1] = True
+    return seen
 
 
 def draw_apexes(pen: Pen, sampled: Sampled) -> None:
