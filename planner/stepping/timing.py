@@ -201,10 +201,11 @@ def _time(biped: Dimensions, length: float, rise: float, longest: float, before:
     v = pace_of(biped, level)
     if before < BREAKS_INTO * v:  # too slow to break into a run: a fast walk
         v = min(v, max(sqrt(FAST_WALK * GRAVITY * law.hip_height), before / BREAKS_INTO))
-    if before < inf:  # too fast to walk at once
-        brisk, run = sqrt(BRISK_WALK * GRAVITY * law.hip_height), sqrt(RUNS_FROM * GRAVITY * law.hip_height)
-        v = max(v, SLOWS_TO * before * min(max((before - brisk) / (run - brisk), 0.0), 1.0))
-    return min(max(level / v, SHORTEST_STEP * unit), longest * unit)
+    step = level / v
+    brisk, run = sqrt(BRISK_WALK * GRAVITY * law.hip_height), sqrt(RUNS_FROM * GRAVITY * law.hip_height)
+    if brisk < before < inf:  # too fast to walk at once
+        step -= min((before - brisk) / (run - brisk), 1.0) * max(step - level / (SLOWS_TO * before), 0.0)
+    return min(max(step, SHORTEST_STEP * unit), longest * unit)
 
 
 @jit_borrowing
