@@ -127,9 +127,9 @@ def _substitute(band: np.ndarray, gradient: np.ndarray, step: np.ndarray, n: int
     x, y, w = none, none, none
     for c in range(n - 1, -1, -1):
         later, last = load(band, (c, 4)) * y, load(band, (c, 8)) * w
-        all = load(band, (c, 0)) * x + later + last
+        sums = load(band, (c, 0)) * x + later + last
         first = band[c, 1] * newest + lane(later, 1) + lane(last, 1)
-        found = step[c] - (lane(all, 0) + first + lane(all, 2) + lane(all, 3))
+        found = step[c] - (lane(sums, 0) + first + lane(sums, 2) + lane(sums, 3))
         decrease -= 0.5 * gradient[c] * found
         step[c] = found
         x += newest * second

@@ -59,9 +59,7 @@ class Equations(NamedTuple):
 
     band: np.ndarray  # (3 n + BAND, WIDTH) [column, row - column], the lower triangle
     gradient: np.ndarray  # (3 n + WIDTH,)
-    blocks: (
-        np.ndarray
-    )  # (10 * 6 + 1, LANES) of LANES pieces: coefficients k >= l as 00 10 11 20 21 22 30 ..., lower triangles; 0
+    blocks: np.ndarray  # (61, LANES) of LANES pieces: ten lower triangles of six, coefficients k >= l as 00 10 11 20 ...; zero
     slopes: np.ndarray  # (4, 3, LANES) their gradients
 
 

@@ -13,7 +13,7 @@ from planner.stepping.arriving import arrive, drawn, is_content, look_down, sees
 from planner.stepping.beside import Place, middle_beside
 from planner.stepping.field import fields_to, for_all
 from planner.stepping.finding import surely
-from planner.stepping.steering import Onward, free_way, lengthened
+from planner.stepping.steering import Onward, free_way, lengthened, room_at
 from worlds import queries
 from worlds.arrays import STAIRS, WorldArrays
 from worlds.compiled.jit import jit_borrowing
@@ -54,7 +54,7 @@ def _is_past(round: Round, me: Me, reached: int, middle: Place, abeam: float) ->
         return False
     then = stop_of(plans, c, reached + 1)
     dx, dy = plans.stops[c, then, 0] - x, plans.stops[c, then, 1] - y
-    far, margin = hypot(dx, dy), min(biped_of(round, me).body.radius, queries.clearance(round.world, x, y) - 0.01)
+    far, margin = hypot(dx, dy), room_at(biped_of(round, me), round.world, x, y)
     return free_way(biped_of(round, me), round.world, x, y, atan2(dy, dx), margin, far) >= far
 
 

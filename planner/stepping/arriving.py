@@ -13,8 +13,7 @@ from planner.stepping import random
 from planner.stepping.beside import Place, middle_beside
 from planner.stepping.field import course_down
 from planner.stepping.finding import surely
-from planner.stepping.steering import LOOK_STEPS, Onward, free_way, lengthened, step_toward, step_within
-from worlds import queries
+from planner.stepping.steering import LOOK_STEPS, Onward, free_way, lengthened, room_at, step_toward, step_within
 from worlds.arrays import WorldArrays
 from worlds.compiled.jit import jit, jit_borrowing
 
@@ -71,7 +70,7 @@ def look_down(
     """The way down the field of a stop. One makes for the furthest place of it that one sees, as people do (Kneidl, Borrmann &
     Hartmann 2012): cells are coarse, and beside a door all of their slopes lead into one file through its middle."""
     (x, y), seen = middle, True
-    step, margin = GLANCE * biped.gait.preferred_step, min(biped.body.radius, queries.clearance(world, x, y) - 0.01)
+    step, margin = GLANCE * biped.gait.preferred_step, room_at(biped, world, x, y)
     down = course = course_down(field, cell, x, y, atan2(stop[1] - y, stop[0] - x))
     for _ in range(int(FORESIGHT / GLANCE)):
         x, y = x + step * cos(down), y + step * sin(down)
@@ -89,7 +88,7 @@ def walk_down(round: Round, me: Me, middle: Place, course: float, draw: Place) -
     """A step down a way (Outlook), close by walls: it leads through doors; draw: toward those with whom one walks."""
     biped, foot, (x, y) = biped_of(round, me), me.feet.newer, middle
     right_first = random.uniform(round.seed, me.c, 0, random.SIDE) < 0.5
-    margin, look = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01), AT_HAND * biped.gait.preferred_step
+    margin, look = room_at(biped, round.world, x, y), AT_HAND * biped.gait.preferred_step
     wanted = unwrapped(drawn(draw, course), foot.heading)
     return step_within(biped, round.world, middle, foot.heading, wanted, look, right_first, margin)
 
@@ -99,7 +98,7 @@ def sees(round: Round, me: Me, middle: Place, stop: Place) -> bool:
     """Whether the straight way to a stop is near and free, so that no field is needed."""
     biped, dx, dy = biped_of(round, me), stop[0] - middle[0], stop[1] - middle[1]
     far, (x, y) = hypot(dx, dy), middle
-    margin = min(biped.body.radius, queries.clearance(round.world, x, y) - 0.01)
+    margin = room_at(biped, round.world, x, y)
     return far < SIGHT * biped.gait.preferred_step and free_way(biped, round.world, x, y, atan2(dy, dx), margin, far) >= far
 
 

@@ -39,6 +39,12 @@ def free_way(
 
 
 @jit_borrowing
+def room_at(biped: Dimensions, world: WorldArrays, x: float, y: float) -> float:
+    """The margin [m] for a way from a place: the body's radius, or what there is of it where it is narrow already."""
+    return min(biped.body.radius, queries.clearance(world, x, y) - 0.01)
+
+
+@jit_borrowing
 def _open_way(world: WorldArrays, x: float, y: float, course: float, margin: float, far: float) -> float:
     """The same, whatever the ground."""
     c, s, done = cos(course), sin(course), 0.0
@@ -71,7 +77,7 @@ def clear_course(
 @jit
 def longest_way(biped: Dimensions, world: WorldArrays, x: float, y: float, far: float) -> float:
     """Distance [m] that one can go straight on from there in the freest direction, at most `far`."""
-    longest, margin = 0.0, min(biped.body.radius, queries.clearance(world, x, y) - 0.01)
+    longest, margin = 0.0, room_at(biped, world, x, y)
     for k in range(2 * FAN):
         longest = max(longest, free_way(biped, world, x, y, k * pi / FAN, margin, far))
     return longest

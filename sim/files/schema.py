@@ -50,12 +50,12 @@ class _Kind(_Strict):
 
 def _all_weights(weights: dict[str, float | str]) -> dict[str, float | str]:
     """The weights of walking among others, none missing: it would be the usual one for all who go on."""
-    missing, words = (
-        [name for name in Weights._fields if name not in weights],
-        [k for k in NUMBERS if type(weights.get(k)) is str],
-    )
-    if missing or words:
-        raise ValueError(f"lacks {', '.join(missing)}" if missing else f"{', '.join(words)}: numbers are needed")
+    missing = [name for name in Weights._fields if name not in weights]
+    if missing:
+        raise ValueError(f"lacks {', '.join(missing)}")
+    words = [name for name in NUMBERS if isinstance(weights[name], str)]
+    if words:
+        raise ValueError(f"{', '.join(words)}: numbers are needed")
     return weights
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from planner.round.weights import Weights
 from sim.reports.flows import Flow
-from sim.reports.people import Case, by_seeds, median_of, worst_of
+from sim.reports.people import MANY, Case, by_seeds, median_of, worst_of
 from sim.reports.rimea import figures, rooms
 from sim.reports.rimea.rooms import SEED
 from worlds.contents.traffic import Traffic
@@ -19,8 +19,6 @@ from worlds.world import World
 JAM = "in a door of 1 m two may each wait for the other"
 LONGEST = 240.0
 """No room takes longer [s]."""
-MORE = tuple(range(1, 10))
-"""Seeds of the tests that chance changes most."""
 DOORS = np.array([0.7, 22.2])
 """RiMEA 10: x of the main exit and of the other one [m]."""
 
@@ -61,13 +59,13 @@ def cases() -> list[Case]:
              by_seeds(partial(_emptied, rooms.two_exits())), median_of(lambda flows: figures.share_beyond(flows[0], 14.0)), 11,
              "the jam at the near exit does not grow as long as the way to the far one"),
         Case("RiMEA 12: behind a passage none stand before the exit", "", 0, 3,
-             by_seeds(partial(_emptied, rooms.two_rooms()), seeds=MORE),
+             by_seeds(partial(_emptied, rooms.two_rooms()), seeds=MANY),
              median_of(lambda flows: figures.standing_within(flows[0], 16.0, 26.0)), 12),
         Case("RiMEA 13: stairs after a passage take", "times", 1.1, 4.0,
-             by_seeds(*(partial(_emptied, rooms.before_stairs(climbs=climbs)) for climbs in (False, True)), seeds=MORE),
+             by_seeds(*(partial(_emptied, rooms.before_stairs(climbs=climbs)) for climbs in (False, True)), seeds=MANY),
              median_of(_ratio, 2), 13),
         Case("RiMEA 15: a corner between straight ways, short 0, long 1", "", 0.0, 1.0,
-             by_seeds(*(partial(_emptied, rooms.around(kind)) for kind in ("short", "corner", "long")), seeds=MORE),
+             by_seeds(*(partial(_emptied, rooms.around(kind)) for kind in ("short", "corner", "long")), seeds=MANY),
              median_of(_between, 3), 15,
              "at the inner corner, which all make for, one waits for the other"),
     ]  # fmt: skip

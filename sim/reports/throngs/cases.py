@@ -23,7 +23,7 @@ LONGEST = 400.0
 """No case takes longer [s]."""
 KINDS = {"people": ("human",), "birds": ("bird",), "dinosaurs": ("dinosaur",), "people and birds": ("human", "bird")}
 """Who goes against each other."""
-SEEDS, FIVE = 10, 5
+TEN, FIVE = 10, 5
 """Chance is asked so often where the longest of all standstills counts, and where two flows are compared."""
 EACH, APART = 100, 0.9
 """So many on a circle, and how far from each other [m]."""
@@ -58,7 +58,7 @@ def _neck(width: float, count: int, neck: float, weights: Weights, seed: int = 1
     return flows.watched(sim, LONGEST, flows.DOOR[0] + neck + 0.5, count <= 100)
 
 
-@lru_cache(SEEDS)
+@lru_cache(TEN)
 def _against(count: int, names: tuple[str, ...], weights: Weights, seed: int = 1) -> Flow:
     sim = flows.counterflow(count, 3.0, weights, names, seed)
     return flows.watched(sim, LONGEST, sim.world.size[0] / 2)
@@ -82,7 +82,7 @@ def _stands(all: list[Flow]) -> float:
 
 def _all_seeds(count: int, names: tuple[str, ...] = ("human",)) -> list[Callable[[Weights], Flow]]:
     """Counterflows of so many a side, by chance again and again."""
-    return by_seeds(partial(_against, count, names), seeds=tuple(range(1, SEEDS + 1)))
+    return by_seeds(partial(_against, count, names), seeds=tuple(range(1, TEN + 1)))
 
 
 def cases() -> list[Case]:
@@ -107,8 +107,8 @@ def cases() -> list[Case]:
           for who, names in KINDS.items()),
         *(Case(f"counterflow, 30 {who} a side: longest standstill", "s", 0.0, 15.0, _all_seeds(30, names), worst_of(_stands))
           for who, names in KINDS.items()),
-        Case(f"counterflow, 60 a side, {SEEDS} seeds: longest standstill", "s", 0.0, 15.0, _all_seeds(60), worst_of(_stands)),
-        Case(f"counterflow, 250 a side, {SEEDS} seeds: last through", "s", 0.0, 200.0, _all_seeds(250),
+        Case(f"counterflow, 60 a side, {TEN} seeds: longest standstill", "s", 0.0, 15.0, _all_seeds(60), worst_of(_stands)),
+        Case(f"counterflow, 250 a side, {TEN} seeds: last through", "s", 0.0, 200.0, _all_seeds(250),
              worst_of(lambda all: flows.last_through(all[0]))),
-        Case(f"counterflow, 250 a side, {SEEDS} seeds: longest standstill", "s", 0.0, 15.0, _all_seeds(250), worst_of(_stands)),
+        Case(f"counterflow, 250 a side, {TEN} seeds: longest standstill", "s", 0.0, 15.0, _all_seeds(250), worst_of(_stands)),
     ]  # fmt: skip
