@@ -17,6 +17,8 @@ SPRITES = 64
 """A sheet holds no more than so many sprites."""
 PER_SECOND = 12.0
 """Sprites per second where nothing else is asked for."""
+SIDE = 3.9
+"""How far the side is looked at from, in nominal legs: nearer, crests, long necks or tails are cut off."""
 CELL, USUAL = (128, 128), (960, 540)
 """Size of a sprite, where --size is left as it is for films [pixels]."""
 
@@ -50,7 +52,7 @@ def export_sprites(clip: Clip, path: str, asked: Asked) -> None:
         picture = Picture(asked.size if asked.size != USUAL else CELL)
     except NoGL as error:
         raise InputError(f"{path}: {error}") from None
-    picture.distance = 3.0
+    picture.distance = SIDE
     cells = []
     for time in clip.time[frames]:
         heading = float(yaw_of(cast.snapshot(time, np.array([0])).body_rotation_wxyz[0]))
