@@ -17,7 +17,7 @@ SPRITES = 64
 """A sheet holds no more than so many sprites."""
 PER_SECOND = 12.0
 """Sprites per second where nothing else is asked for."""
-SIDE = 3.9
+SIDE = 4.2
 """How far the side is looked at from, in nominal legs: nearer, crests, long necks or tails are cut off."""
 CELL, USUAL = (128, 128), (960, 540)
 """Size of a sprite, where --size is left as it is for films [pixels]."""
