@@ -3,6 +3,7 @@
 import numpy as np
 
 from motion.arithmetic.rotations import yaw_of
+from motion.characters.character import Character
 from sim.export.clip.asked import Asked
 from sim.export.clip.clip import Clip
 from sim.files.replay import Part, Replay
@@ -17,8 +18,8 @@ SPRITES = 64
 """A sheet holds no more than so many sprites."""
 PER_SECOND = 12.0
 """Sprites per second where nothing else is asked for."""
-SIDE = 4.2
-"""How far the side is looked at from, in nominal legs: nearer, crests, long necks or tails are cut off."""
+SIDE, TAIL = 3.8, 2.9
+"""How far the side is looked at from, in nominal legs: crests and long necks are seen; and at least in lengths of a tail."""
 CELL, USUAL = (128, 128), (960, 540)
 """Size of a sprite, where --size is left as it is for films [pixels]."""
 
@@ -52,7 +53,7 @@ def export_sprites(clip: Clip, path: str, asked: Asked) -> None:
         picture = Picture(asked.size if asked.size != USUAL else CELL)
     except NoGL as error:
         raise InputError(f"{path}: {error}") from None
-    picture.distance = SIDE
+    picture.distance = _distance(clip.actors[0].character)
     cells = []
     for time in clip.time[frames]:
         heading = float(yaw_of(cast.snapshot(time, np.array([0])).body_rotation_wxyz[0]))
@@ -61,3 +62,9 @@ def export_sprites(clip: Clip, path: str, asked: Asked) -> None:
     empty = [np.zeros_like(cells[0])] * (-len(cells) % COLUMNS)
     rows = [np.hstack(row) for row in np.array([*cells, *empty]).reshape(-1, COLUMNS, *cells[0].shape)]
     save_image(np.vstack(rows), path)
+
+
+def _distance(character: Character) -> float:
+    """From which the whole of a character is seen from its side, in nominal legs."""
+    body = character.biped.body
+    return max(SIDE, TAIL * float(body.tail_length - body.tail_forward) / float(character.biped.leg.nominal_length))
