@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
-from motion.arithmetic.smooth import fade
-from motion.arithmetic.triples import Triple, dot, minus
+from motion.arithmetic.smooth import fade, smoothstep
+from motion.arithmetic.triples import Triple, dot, minus, norm
 from motion.characters.dimensions import Dimensions
 from motion.pose import legs, swing
 from motion.pose.pose import Pose, point_of
@@ -16,7 +16,7 @@ from motion.track.footprints import Footprints
 from motion.track.heading import body_heading
 from motion.track.leg import BENT, FREE_ENDS, OPENS, Lengths, landing_reach, leaving_reach, shortest_over, swing_length
 from motion.track.pelvis import pelvis_at
-from motion.track.tilt import tilt_of, tilted
+from motion.track.tilt import eased, tilt_of, tilted
 from worlds.compiled.jit import jit_borrowing, jit_inline, stack_array
 
 KNEE_TURN, WITH_TOES = 1.0, 0.65
@@ -28,6 +28,9 @@ CARRIED_ENDS, HANGS = 0.35, (0.3, 0.72)
 """Share of the swing, at either end, over which that sets in; where the ankle hangs, back and down from the hip, in legs."""
 UNDER_HIP = 1.2
 """Distance aside of its hip, in shortest legs, from which on a swinging ankle may be as high as the hip."""
+PASSES, CHANGES = 0.04, 0.1
+"""Way of the hip past a standing foot [m], and share of its stance, over which it changes from tilting about the heel to about
+the ball."""
 _empty_place = stack_array(1, 3)
 
 
@@ -147,21 +150,37 @@ def _keep_in_reach(lengths: Lengths, hip: Triple, s: float, kept: tuple[float, f
     _move(pose, c, leg, swing_length(lengths, length, s, kept) / length - 1, (x, y, z))
 
 
+@jit_borrowing
+def _leans(biped: Dimensions, footprints: Footprints, n: int, u: float, ahead: float) -> float:
+    """How a foot may tilt: about its heel below 0, wholly from -1 on; about its ball above 0, wholly from 1 on.
+
+    By how far [m] the hip is ahead of its ankle; but while it rolls down from its heel about that, and from its heel-off on
+    about its ball. All of it sets in by and by, so that a leg that is too long all along changes over without a jump.
+    """
+    lean, begin = min(max(ahead / PASSES, -1.0), 1.0), 1 - biped.foot.heel_off_fraction
+    if footprints.strike[n] > 0:
+        lean = min(lean, max(2 * (u - foot.FLAT_BY) / CHANGES - 1, -1.0))
+    if foot.leaving_angle(biped, footprints, n) > 0:
+        lean = max(lean, min(1 - 2 * (begin - u) / CHANGES, 1.0))
+    return lean
+
+
 @jit_inline
 def _tilt(biped: Dimensions, footprints: Footprints, n: int, u: float, hip: Triple, pose: Pose, c: int, leg: int) -> None:
     """Tilts a foot whose leg would be too long, standing or nearly: about its heel while it comes down or the hip is behind it,
-    then about its ball. Where the hip passes over it the leg is shortest, so that neither tilts it and nothing jumps."""
-    pitch, full = foot.strike_pitch(footprints, n, u), biped.leg.max_length
-    if pitch < 0:  # it comes down about its ball
+    then about its ball. Where the hip passes over it the leg is shortest: it seldom has to."""
+    if foot.strike_pitch(footprints, n, u) < 0:  # it comes down about its ball
         return
+    full = biped.leg.max_length
     heel, ball, ankle = point_of(pose.heel, c, leg), point_of(pose.ball, c, leg), point_of(pose.ankle, c, leg)
-    behind = dot(minus(hip, ankle), minus(ball, heel)) < 0 and foot.heel_off_angle(biped, footprints, n, u) == 0
-    about_heel = pitch > 0 or behind
-    tilt = tilt_of(heel, ball, ankle, hip, full) if about_heel else tilt_of(ball, heel, ankle, hip, full)
+    along = dot(minus(hip, ankle), minus(ball, heel)) / norm(minus(ball, heel))
+    lean = _leans(biped, footprints, n, u, along)
+    tilt = tilt_of(heel, ball, ankle, hip, full) if lean < 0 else tilt_of(ball, heel, ankle, hip, full)
     if tilt.by == 0:
         return
+    tilt = eased(tilt, smoothstep(abs(lean)))
     _set(pose.ankle, c, leg, tilted(tilt, ankle))
-    if about_heel:
+    if lean < 0:
         _set(pose.ball, c, leg, tilted(tilt, ball))
         _set(pose.toe, c, leg, tilted(tilt, point_of(pose.toe, c, leg)))
     else:

@@ -53,6 +53,12 @@ def tilt_of(pivot: Triple, far: Triple, ankle: Triple, hip: Triple, full: float)
     return Tilt(pivot, forward, up, _angle(to_ankle, to_hip, forward, up, allowed))
 
 
+@jit_borrowing
+def eased(tilt: Tilt, share: float) -> Tilt:
+    """A share of it."""
+    return Tilt(tilt.pivot, tilt.forward, tilt.up, share * tilt.by)
+
+
 @jit_inline
 def tilted(tilt: Tilt, point: Triple) -> Triple:
     """Where a point of the foot is once it has tilted."""
