@@ -23,7 +23,7 @@ from planner.round import reservations
 from planner.round.round import Round
 from planner.round.soles import Sole, sole_of
 from planner.stepping import timing
-from planner.stepping.beside import Place, beside, sole_heading
+from planner.stepping.beside import Place, beside, shanks_apart, sole_heading
 from planner.stepping.footing import FINE, why_not_step
 from planner.stepping.steering import free_way
 from worlds import queries
@@ -128,13 +128,21 @@ def candidate_in(record: Any) -> Candidate:
     return Candidate(record.x, record.y, record.heading, record.foot_x, record.foot_y, record.time)
 
 
+@jit_inline
+def standing_on(walker: Walker) -> Foot:
+    """Where the other foot stands."""
+    return Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
+
+
 @jit_borrowing
 def crosses(biped: Dimensions, walker: Walker, step: Candidate) -> bool:
-    """Whether a step sets the foot down on the other side of the other foot, or on it."""
+    """Whether a step sets the foot down on the other side of the other foot, on it, or heel to heel."""
     dx, dy, mean = step.foot_x - walker.foot_x, step.foot_y - walker.foot_y, 0.5 * (walker.heading + step.heading)
     ahead, left = dx * cos(mean) + dy * sin(mean), dy * cos(mean) - dx * sin(mean)
     aside = left if walker.side == 0 else -left
-    return aside < (CROSSING if abs(ahead) < biped.foot.length else -0.5) * biped.gait.step_width
+    if aside < (CROSSING if abs(ahead) < biped.foot.length else -0.5) * biped.gait.step_width:
+        return True
+    return not shanks_apart(biped, standing_on(walker), step.foot_x, step.foot_y, step.heading)
 
 
 @jit_borrowing
@@ -149,8 +157,7 @@ def is_open(round: Round, walker: Walker, step: Candidate) -> bool:
         if free_way(biped, world, walker.x, walker.y, course, walker.margin - 0.01, length) < length:
             return False
     if walker.careful:
-        foot = Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
-        return why_not_step(biped, world, foot, step.foot_x, step.foot_y, step.heading) == FINE
+        return why_not_step(biped, world, standing_on(walker), step.foot_x, step.foot_y, step.heading) == FINE
     return True
 
 

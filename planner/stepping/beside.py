@@ -1,12 +1,16 @@
 """Where a walker's feet are beside its middle, half a step width to either side."""
 
-from math import cos, sin
+from math import cos, hypot, sin, sqrt
 
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import LEFT, Foot, outward
 from worlds.compiled.jit import jit_borrowing
 
 Place = tuple[float, float]
+HEELS = 2.4
+"""Distance of ankles that stand, in radii of shanks: they come nearer as a foot turns and rolls."""
+TOUCH = 1e-9
+"""Ankles that are nearer by no more than this are apart [m]."""
 BESIDE, ACROSS = 0.55, -0.2
 """A foot is set down so far to its own side of the other one, in step widths: beside it, and well ahead of it."""
 
@@ -42,10 +46,42 @@ def middle_beside(biped: Dimensions, foot: Foot) -> Place:
 
 
 @jit_borrowing
-def keeps_apart(biped: Dimensions, foot: Foot, x: float, y: float) -> bool:
+def _between_ankles(biped: Dimensions, foot: Foot, x: float, y: float, heading: float) -> Place:
+    """From the ankle above a foot to that of the other one there [m]."""
+    one, other = sole_heading(biped, foot.side, foot.heading), sole_heading(biped, 1 - foot.side, heading)
+    back = biped.foot.ankle_forward
+    return x - foot.x + back * (cos(other) - cos(one)), y - foot.y + back * (sin(other) - sin(one))
+
+
+@jit_borrowing
+def shanks_apart(biped: Dimensions, foot: Foot, x: float, y: float, heading: float) -> bool:
+    """Whether legs that stand on a foot, and on the other one there, keep apart at their ankles: heels are not put together."""
+    dx, dy = _between_ankles(biped, foot, x, y, heading)
+    return hypot(dx, dy) >= HEELS * biped.leg.shank_radius - TOUCH
+
+
+@jit_borrowing
+def apart_from(biped: Dimensions, foot: Foot, place: Place, heading: float) -> Place:
+    """A place for the other foot, or one so much further outward that shanks keep apart.
+
+    |d + k o| = r with d between the ankles, o outward and r what they need.
+    """
+    dx, dy = _between_ankles(biped, foot, place[0], place[1], heading)
+    sign, r = 1.0 if foot.side != LEFT else -1.0, HEELS * biped.leg.shank_radius
+    ox, oy = -sign * sin(heading), sign * cos(heading)
+    along, square = dx * ox + dy * oy, dx * dx + dy * dy
+    if square >= r * r:
+        return place
+    k = sqrt(along * along - square + r * r) - along
+    return place[0] + k * ox, place[1] + k * oy
+
+
+@jit_borrowing
+def keeps_apart(biped: Dimensions, foot: Foot, x: float, y: float, heading: float) -> bool:
     """Whether a place for the other foot lies on its own side of this one: feet are not set down upon each other."""
     c, s = cos(foot.heading), sin(foot.heading)
     dx, dy = x - foot.x, y - foot.y
     ahead, aside = dx * c + dy * s, dy * c - dx * s
     own = -aside if foot.side == LEFT else aside
-    return own >= (ACROSS if abs(ahead) > 1.2 * biped.foot.length else BESIDE) * biped.gait.step_width
+    is_beside = own >= (ACROSS if abs(ahead) > 1.2 * biped.foot.length else BESIDE) * biped.gait.step_width
+    return is_beside and shanks_apart(biped, foot, x, y, heading)

@@ -6,7 +6,7 @@ from motion.characters.dimensions import Dimensions
 from motion.track.footprints import Foot
 from planner.round.round import Me, Round, Wish, biped_of, standing, stepping
 from planner.stepping import random
-from planner.stepping.beside import Place, beside, keeps_apart, middle_beside, middle_of
+from planner.stepping.beside import Place, apart_from, beside, keeps_apart, middle_beside, middle_of, shanks_apart
 from planner.stepping.footing import FINE, STALLED, is_rough, needs_care, why_not_step
 from worlds import queries
 from worlds.arrays import WorldArrays
@@ -34,7 +34,7 @@ def surely(round: Round, me: Me, middle: Place, heading: float, course: float, g
     Beside a wall alone it waits for others there, or turns.
     """
     biped, foot, side = biped_of(round, me), me.feet.newer, 1 - me.feet.newer.side
-    x, y = beside(biped, side, middle, heading)
+    x, y = apart_from(biped, foot, beside(biped, side, middle, heading), heading)
     if not needs_care(biped, round.world, foot.x, foot.y):
         return stepping(side, (x, y), heading, course, goes)
     strays, on = is_rough(biped, round.world, foot.x, foot.y), _gets_on(biped, foot, middle, heading, heading)
@@ -64,7 +64,11 @@ def nearest_footing(biped: Dimensions, world: WorldArrays, foot: Foot, middle: P
             for width in WIDTHS:
                 px, py = at[0] + width * (fx - at[0]), at[1] + width * (fy - at[1])
                 cost = hypot(px - wx, py - wy) + 0.3 * biped.gait.preferred_step * abs(yaw - heading)
-                if cost < least and why_not_step(biped, world, foot, px, py, yaw) == FINE:
+                if (
+                    cost < least
+                    and why_not_step(biped, world, foot, px, py, yaw) == FINE
+                    and shanks_apart(biped, foot, px, py, yaw)
+                ):
                     least, best, turned = cost, (px, py), yaw
     return best, turned
 
@@ -91,7 +95,7 @@ def _away(round: Round, me: Me) -> tuple[Place, float]:
         yaw = foot.heading + biped.reach.max_turn * (2 * random.uniform(round.seed, me.c, draw + 2, random.AWAY) - 1)
         at = (mx + length * cos(way), my + length * sin(way))
         x, y = beside(biped, side, at, yaw)
-        if length > farthest and keeps_apart(biped, foot, x, y) and queries.clearance(world, at[0], at[1]) >= margin:
+        if length > farthest and keeps_apart(biped, foot, x, y, yaw) and queries.clearance(world, at[0], at[1]) >= margin:
             if why_not_step(biped, world, foot, x, y, yaw) == FINE:
                 farthest, best, turned = length, (x, y), yaw
     return best, turned

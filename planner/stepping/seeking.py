@@ -95,7 +95,7 @@ def _room(world: WorldArrays, x: float, y: float) -> float:
 def _is_good(biped: Dimensions, world: WorldArrays, feet: Feet, wanted: Wanted, x: float, y: float, yaw: float) -> bool:
     """Whether the foot may be set down there in this step."""
     foot = feet.newer
-    if hypot(x - foot.x, y - foot.y) > wanted.farthest or not keeps_apart(biped, foot, x, y):
+    if hypot(x - foot.x, y - foot.y) > wanted.farthest or not keeps_apart(biped, foot, x, y, yaw):
         return False
     if not may_stand(biped, world, foot, x, y, yaw) or _reckoned(biped, world, foot, x, y, yaw) > wanted.farthest:
         return False
