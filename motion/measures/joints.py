@@ -11,8 +11,6 @@ Rates are central differences between evenly spaced frames: a jump of the angula
 import numpy as np
 
 from motion.arithmetic.rotations import axes_of
-from motion.arithmetic.segments import gap
-from motion.arithmetic.triples import norm
 from worlds.compiled.jit import jit
 
 POP_PERCENTILE = 99.0
@@ -86,6 +84,21 @@ def _shank_distances(knee: np.ndarray, hock: np.ndarray, ankle: np.ndarray, out:
 
 @jit
 def segment_distance(p: np.ndarray, q: np.ndarray, r: np.ndarray, s: np.ndarray) -> float:
-    """Distance between the segments p q and r s, points (3,), which may be as short as they like."""
-    away, _, _ = gap((p[0], p[1], p[2]), (q[0], q[1], q[2]), (r[0], r[1], r[2]), (s[0], s[1], s[2]))
-    return norm(away)
+    """Distance between the segments p q and r s, points (3,), which may be as short as they like.
+
+    |p + x u - r - y v| with u = q - p, v = s - r is least at the x of the lines' nearest points, cut to 0..1, then at the y
+    nearest to that point, cut to 0..1, and then at the x nearest to that one.
+    """
+    uu, uv, vv, uw, vw = 0.0, 0.0, 0.0, 0.0, 0.0
+    for k in range(3):
+        u, v, w = q[k] - p[k], s[k] - r[k], p[k] - r[k]
+        uu, uv, vv, uw, vw = uu + u * u, uv + u * v, vv + v * v, uw + u * w, vw + v * w
+    across = uu * vv - uv * uv
+    x = min(max((uv * vw - vv * uw) / across, 0.0), 1.0) if across > 1e-12 * uu * vv else 0.0
+    y = min(max((uv * x + vw) / vv, 0.0), 1.0) if vv > 0 else 0.0
+    x = min(max((uv * y - uw) / uu, 0.0), 1.0) if uu > 0 else 0.0
+    square = 0.0
+    for k in range(3):
+        gap = p[k] + x * (q[k] - p[k]) - r[k] - y * (s[k] - r[k])
+        square += gap * gap
+    return square**0.5

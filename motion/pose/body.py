@@ -6,8 +6,7 @@ from motion.arithmetic import rotations
 from motion.arithmetic.triples import Triple
 from motion.characters.dimensions import Dimensions
 from motion.pose import head, limbs, trunk
-from motion.pose.feet import Hips
-from motion.pose.pose import Pose
+from motion.pose.pose import Hips, Pose
 from motion.track.curve import Track
 from motion.track.footprints import LEFT, RIGHT
 from motion.track.pelvis import weight_at

@@ -1,7 +1,5 @@
 """Posing the legs: feet that stand or swing, and what lies between them and the hips."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
@@ -9,7 +7,7 @@ from motion.arithmetic.smooth import fade, smoothstep
 from motion.arithmetic.triples import Triple, dot, minus, norm
 from motion.characters.dimensions import Dimensions
 from motion.pose import legs, swing
-from motion.pose.pose import Pose, point_of
+from motion.pose.pose import Hips, Pose, point_of
 from motion.track import foot
 from motion.track.curve import Track, position_at
 from motion.track.footprints import Footprints
@@ -32,14 +30,6 @@ PASSES, CHANGES = 0.04, 0.1
 """Way of the hip past a standing foot [m], and share of its stance, over which it changes from tilting about the heel to about
 the ball."""
 _empty_place = stack_array(1, 3)
-
-
-class Hips(NamedTuple):
-    """How the body above the legs is turned [rad]."""
-
-    yaw: float  # the body's heading
-    turn: float  # of the pelvis against it (motion.track.pelvis)
-    roll: float  # its list
 
 
 @jit_borrowing

@@ -13,6 +13,14 @@ Joints = Annotated[np.ndarray, Column(shape=(2, 3))]
 """A point of either side, left first."""
 
 
+class Hips(NamedTuple):
+    """How the body above the legs is turned [rad]."""
+
+    yaw: float  # the body's heading
+    turn: float  # of the pelvis against it (motion.track.pelvis)
+    roll: float  # its list
+
+
 class Pose(NamedTuple):
     """C characters at one time, world frame, SI units; feet in the order LEFT, RIGHT.
 

@@ -23,7 +23,7 @@ from planner.round import reservations
 from planner.round.round import Round
 from planner.round.soles import Sole, sole_of
 from planner.stepping import timing
-from planner.stepping.beside import Place, beside, shanks_apart, sole_heading
+from planner.stepping.beside import Place, apart_from, beside, sole_heading
 from planner.stepping.footing import FINE, why_not_step
 from planner.stepping.steering import free_way
 from worlds import queries
@@ -81,10 +81,16 @@ def _time(biped: Dimensions, walker: Walker, fx: float, fy: float, turn: float) 
     return max(time, timing.least_step_time(biped, walker.overlap))
 
 
+@jit_inline
+def standing_on(walker: Walker) -> Foot:
+    """Where the other foot stands."""
+    return Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
+
+
 @jit_borrowing
 def candidate_to(biped: Dimensions, walker: Walker, middle: Place, heading: float) -> Candidate:
     """The step to a middle."""
-    fx, fy = beside(biped, walker.side, middle, heading)
+    fx, fy = apart_from(biped, standing_on(walker), beside(biped, walker.side, middle, heading), heading)
     return Candidate(middle[0], middle[1], heading, fx, fy, _time(biped, walker, fx, fy, abs(heading - walker.heading)))
 
 
@@ -111,7 +117,7 @@ def bearing_of(biped: Dimensions, walker: Walker, aside: float) -> Bearing:
 def candidate(biped: Dimensions, walker: Walker, to: Bearing, length: float) -> Candidate:
     """A step of a length [m]."""
     x, y = walker.x + length * to.ahead_x, walker.y + length * to.ahead_y
-    fx, fy = x + to.aside_x, y + to.aside_y
+    fx, fy = apart_from(biped, standing_on(walker), (x + to.aside_x, y + to.aside_y), to.heading)
     return Candidate(x, y, to.heading, fx, fy, _time(biped, walker, fx, fy, to.turn))
 
 
@@ -128,21 +134,13 @@ def candidate_in(record: Any) -> Candidate:
     return Candidate(record.x, record.y, record.heading, record.foot_x, record.foot_y, record.time)
 
 
-@jit_inline
-def standing_on(walker: Walker) -> Foot:
-    """Where the other foot stands."""
-    return Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
-
-
 @jit_borrowing
 def crosses(biped: Dimensions, walker: Walker, step: Candidate) -> bool:
-    """Whether a step sets the foot down on the other side of the other foot, on it, or heel to heel."""
+    """Whether a step sets the foot down on the other side of the other foot, or on it."""
     dx, dy, mean = step.foot_x - walker.foot_x, step.foot_y - walker.foot_y, 0.5 * (walker.heading + step.heading)
     ahead, left = dx * cos(mean) + dy * sin(mean), dy * cos(mean) - dx * sin(mean)
     aside = left if walker.side == 0 else -left
-    if aside < (CROSSING if abs(ahead) < biped.foot.length else -0.5) * biped.gait.step_width:
-        return True
-    return not shanks_apart(biped, standing_on(walker), step.foot_x, step.foot_y, step.heading)
+    return aside < (CROSSING if abs(ahead) < biped.foot.length else -0.5) * biped.gait.step_width
 
 
 @jit_borrowing

@@ -66,11 +66,13 @@ def apart_from(biped: Dimensions, foot: Foot, place: Place, heading: float) -> P
 
     |d + k o| = r with d between the ankles, o outward and r what they need.
     """
+    if hypot(place[0] - foot.x, place[1] - foot.y) > HEELS * biped.leg.shank_radius + 2 * abs(biped.foot.ankle_forward):
+        return place  # ahead or behind, as nearly always
     dx, dy = _between_ankles(biped, foot, place[0], place[1], heading)
     sign, r = 1.0 if foot.side != LEFT else -1.0, HEELS * biped.leg.shank_radius
     ox, oy = -sign * sin(heading), sign * cos(heading)
     along, square = dx * ox + dy * oy, dx * dx + dy * dy
-    if square >= r * r:
+    if square >= r * r or along < 0:  # a place across the other foot is for `crosses` to refuse
         return place
     k = sqrt(along * along - square + r * r) - along
     return place[0] + k * ox, place[1] + k * oy

@@ -6,7 +6,7 @@ from motion.characters.dimensions import Dimensions
 from motion.track.footprints import Foot
 from planner.round.round import Me, Round, Wish, biped_of, standing, stepping
 from planner.stepping import random
-from planner.stepping.beside import Place, apart_from, beside, keeps_apart, middle_beside, middle_of, shanks_apart
+from planner.stepping.beside import Place, apart_from, beside, keeps_apart, middle_beside, middle_of
 from planner.stepping.footing import FINE, STALLED, is_rough, needs_care, why_not_step
 from worlds import queries
 from worlds.arrays import WorldArrays
@@ -62,13 +62,10 @@ def nearest_footing(biped: Dimensions, world: WorldArrays, foot: Foot, middle: P
             at = (mx + share * length * cos(yaw), my + share * length * sin(yaw))
             fx, fy = beside(biped, side, at, yaw)
             for width in WIDTHS:
-                px, py = at[0] + width * (fx - at[0]), at[1] + width * (fy - at[1])
+                aside = (at[0] + width * (fx - at[0]), at[1] + width * (fy - at[1]))
+                px, py = apart_from(biped, foot, aside, yaw)
                 cost = hypot(px - wx, py - wy) + 0.3 * biped.gait.preferred_step * abs(yaw - heading)
-                if (
-                    cost < least
-                    and why_not_step(biped, world, foot, px, py, yaw) == FINE
-                    and shanks_apart(biped, foot, px, py, yaw)
-                ):
+                if cost < least and why_not_step(biped, world, foot, px, py, yaw) == FINE:
                     least, best, turned = cost, (px, py), yaw
     return best, turned
 
@@ -94,7 +91,7 @@ def _away(round: Round, me: Me) -> tuple[Place, float]:
         length = biped.gait.preferred_step * random.uniform(round.seed, me.c, draw + 1, random.AWAY)
         yaw = foot.heading + biped.reach.max_turn * (2 * random.uniform(round.seed, me.c, draw + 2, random.AWAY) - 1)
         at = (mx + length * cos(way), my + length * sin(way))
-        x, y = beside(biped, side, at, yaw)
+        x, y = apart_from(biped, foot, beside(biped, side, at, yaw), yaw)
         if length > farthest and keeps_apart(biped, foot, x, y, yaw) and queries.clearance(world, at[0], at[1]) >= margin:
             if why_not_step(biped, world, foot, x, y, yaw) == FINE:
                 farthest, best, turned = length, (x, y), yaw

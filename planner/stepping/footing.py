@@ -17,8 +17,8 @@ from worlds.compiled.jit import jit_borrowing
 
 UNDER = 0.02
 """Ground may reach so far into a sole [m]: what a shoe, or a lens, does not show."""
-TOE_ROOM, HIGH_SIDE = 0.05, 0.04
-"""Room that is left before a sole [m], where ground rises by more than this [m]."""
+TOE_ROOM, HEEL_ROOM, HIGH_SIDE = 0.05, 0.02, 0.04
+"""Room that is left before a sole and behind it [m], where ground rises by more than this [m]."""
 HILLSIDE = 2.12
 """The steepest slope of hills, in amplitudes per wavelength over a turn (worlds.queries.terrain_height)."""
 STALLED = 0.15
@@ -132,14 +132,16 @@ def _can_be_lifted_over(biped: Dimensions, world: WorldArrays, other: Foot, x: f
 
 @jit_borrowing
 def _strikes(biped: Dimensions, world: WorldArrays, x: float, y: float, heading: float) -> bool:
-    """Whether the toe, which straightens and goes ahead when it lifts, strikes a rock's side or a riser."""
+    """Whether the toe, which straightens and goes ahead when it lifts, strikes a rock's side or a riser, or the heel that
+    comes down behind."""
     z, nx, ny, nz = under_sole(biped, world, x, y, heading)
-    c, s, ahead = cos(heading), sin(heading), 0.5 * biped.foot.length + TOE_ROOM
-    for j in range(-1, 2):
-        aside = 0.5 * j * biped.foot.width
-        dx, dy = ahead * c - aside * s, ahead * s + aside * c
-        if queries.ground_height(world, x + dx, y + dy) > z - (nx * dx + ny * dy) / nz + HIGH_SIDE:
-            return True
+    c, s, half = cos(heading), sin(heading), 0.5 * biped.foot.length
+    for ahead in (half + TOE_ROOM, -half - HEEL_ROOM):
+        for j in range(-1, 2):
+            aside = 0.5 * j * biped.foot.width
+            dx, dy = ahead * c - aside * s, ahead * s + aside * c
+            if queries.ground_height(world, x + dx, y + dy) > z - (nx * dx + ny * dy) / nz + HIGH_SIDE:
+                return True
     return False
 
 

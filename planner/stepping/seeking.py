@@ -13,7 +13,7 @@ from motion.arithmetic.smooth import mix
 from motion.characters.dimensions import Dimensions
 from motion.pose import swing
 from motion.track.footprints import Feet, Foot
-from planner.stepping.beside import Place, beside, keeps_apart, middle_beside, middle_of
+from planner.stepping.beside import Place, apart_from, beside, keeps_apart, middle_beside, middle_of
 from planner.stepping.footing import FINE, UNDER, WATER, is_bare, under_sole, why_not_step
 from planner.stepping.placing import EDGE
 from worlds import queries
@@ -146,7 +146,8 @@ def seek(biped: Dimensions, world: WorldArrays, feet: Feet, wanted: Wanted) -> F
     foot, most = feet.newer, biped.reach.max_turn
     (mx, my), side = middle_beside(biped, foot), 1 - foot.side
     askew = ASKEW * biped.gait.preferred_step
-    wx, wy = beside(biped, side, (mx + wanted.dx, my + wanted.dy), wanted.heading)
+    there = beside(biped, side, (mx + wanted.dx, my + wanted.dy), wanted.heading)
+    wx, wy = apart_from(biped, foot, there, wanted.heading)
     best = Found(wx, wy, wanted.heading, inf)
     least = wanted.tolerance
     for turn in TURNS:
@@ -157,7 +158,7 @@ def seek(biped: Dimensions, world: WorldArrays, feet: Feet, wanted: Wanted) -> F
             at = (mx + share * (c * wanted.dx - s * wanted.dy), my + share * (s * wanted.dx + c * wanted.dy))
             fx, fy = beside(biped, side, at, yaw)
             for width in WIDTHS:
-                px, py = mix(at[0], fx, width), mix(at[1], fy, width)
+                px, py = apart_from(biped, foot, (mix(at[0], fx, width), mix(at[1], fy, width)), yaw)
                 cost = hypot(px - wx, py - wy) + askew * abs(yaw - wanted.heading)
                 if cost < least and _is_good(biped, world, feet, wanted, px, py, yaw):
                     best, least = Found(px, py, yaw, cost), cost

@@ -189,16 +189,26 @@ def test_saved_plans_of_other_tables_are_refused():
     assert PLANNERS["Visiting"](**sim.planner.values()).values() == sim.planner.values()
 
 
+def planted(sim, x, y, radius):
+    """Whether a tree has been planted there: nobody stands, or is about to, where it is to be."""
+    try:
+        apply(sim, PlantTree(x, y, radius))
+    except InputError as error:
+        assert "too near to a foot" in str(error)
+        return False
+    return True
+
+
 def test_a_tree_that_is_planted_is_walked_around():
-    sim = until(hall(), 6.0)
-    apply(sim, PlantTree(11.0, 4.0, 0.6))
-    there = counts(sim)["there"]
-    nearest = []
+    sim, nearest = until(hall(), 6.0), []
 
     def look(sim):
         place = sim.com()[sim.present(), :2]
         nearest.append(np.hypot(*(place - (11.0, 4.0)).T).min(initial=9.0))
 
+    while not planted(sim, 11.0, 4.0, 0.6):
+        sim.tick()
+    there = counts(sim)["there"]
     until(sim, 30.0, look)
     assert counts(sim)["went"] > there and 0.6 < min(nearest) < 2.5
 
