@@ -1,15 +1,16 @@
-"""Knees of two links keep apart: where one shank would pass too near to the other, both legs turn about their lines from hip to
-ankle, knees outward, so that no foot moves.
+"""Legs keep apart: where one would pass too near to the other below the knee, both turn about their lines from hip to ankle,
+so that no foot moves: knees of two links outward, hocks of three.
 
-Let w be the vector from a point of the right shank to one of the left, and s what of it points to the left. They lack R - s, R
-the room they need; less, the farther one is before or above the other, and 1 - x of it a knee makes up for, x the share of the
-shank at which the points are. Of pairs of points that lack l_i the shanks lack sum l^5 / sum l^4: nearly the most, but smooth,
-as the nearest points are not. Turning leg i by phi_i moves its knee by b_i phi_i to its outside, b_i being how far the knee is
-off that line, ahead. The least turns that do are phi_i = b_i lack / (b_l^2 + b_r^2). A leg that is straight has hardly any
-knee to turn: LEAST keeps that from turning far, and MOST all of them.
+Let w be the vector from a point of the right leg to one of the left, and s what of it points to the left. They lack R - s, R
+the room they need; less, the farther one is before or above the other. A point between the joint that bends most and an end
+moves less than the joint, by a share m. Of pairs of points that lack l_i / m the legs lack sum l^5 / sum l^4: nearly the most,
+but smooth, as the nearest points are not. Turning leg i by phi_i moves its joint by b_i phi_i to its outside, b_i being how far
+the joint is off that line, ahead. The least turns that do are phi_i = b_i lack / (b_l^2 + b_r^2). A leg that is straight has
+hardly any joint to turn: LEAST keeps that from turning far, and MOST all of them.
 """
 
-from math import cos, sin, sqrt, tanh
+from math import cos, inf, sin, sqrt, tanh
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,9 +25,20 @@ SPARE, BESIDE = 0.3, 2.0
 SOFT = 0.15
 """How gradually a lack of room sets in, in rooms."""
 LEAST, MOST = 0.05, 0.5
-"""Distance of a knee from its leg's line [m] below which it turns less; most that a leg turns [rad]."""
-SHARES, LOWEST = (0.0, 0.35, 0.7), 0.5
-"""Where points of a shank are looked at, and the share down to which the knee makes up for what is lacking there."""
+"""Distance of a joint from its leg's line [m] below which it turns less; most that a leg turns [rad]."""
+ALONG = (0.0, 0.35, 0.7)
+"""Where points of a shank above the ankle are looked at, in shares from the knee."""
+MOVES, BESIDE_HOCK = (1.0, 0.65, 0.5), (0.5, 1.0, 0.5)
+"""By how much of their joint's way they count to move; the same half way before a hock, at it and behind it."""
+
+
+class Legs(NamedTuple):
+    """The joints (2, 3) of both legs: LEFT, RIGHT. A leg of two links has its hock at its ankle."""
+
+    hip: np.ndarray
+    knee: np.ndarray
+    hock: np.ndarray
+    ankle: np.ndarray
 
 
 @jit_inline
@@ -46,54 +58,78 @@ def _point(joints: np.ndarray, leg: int) -> Triple:
 
 
 @jit_inline
-def _down(knee: np.ndarray, ankle: np.ndarray, leg: int, share: float) -> Triple:
-    """The point of a shank at a share of it, from the knee."""
-    return plus(times(1 - share, _point(knee, leg)), times(share, _point(ankle, leg)))
+def _between(upper: np.ndarray, lower: np.ndarray, leg: int, share: float) -> Triple:
+    """A point of a link."""
+    return plus(times(1 - share, _point(upper, leg)), times(share, _point(lower, leg)))
 
 
 @jit_borrowing
-def _lacking(room: float, left: Triple, knee: np.ndarray, ankle: np.ndarray) -> float:
-    """How much farther apart [m] the knees have to be."""
-    fourth, fifth = 0.0, 0.0
-    for x in SHARES:
-        for y in SHARES:
-            away = minus(_down(knee, ankle, LEFT, x), _down(knee, ankle, RIGHT, y))
-            lack = _lack(room, left, away) / max(1 - max(x, y), LOWEST)
+def _below(legs: Legs, three: bool, leg: int, k: int) -> Triple:
+    """Point k of 0, 1, 2 of what is below the knee."""
+    if not three:
+        return _between(legs.knee, legs.ankle, leg, ALONG[k])
+    return _between(legs.knee, legs.hock, leg, 0.5 + 0.5 * k) if k < 2 else _between(legs.hock, legs.ankle, leg, 0.5)
+
+
+@jit_borrowing
+def _lacking(room: float, left: Triple, legs: Legs, three: bool) -> float:
+    """How much farther apart [m] the joints have to be."""
+    fourth, fifth, moves = 0.0, 0.0, BESIDE_HOCK if three else MOVES
+    for i in range(3):
+        for j in range(3):
+            lack = _lack(room, left, minus(_below(legs, three, LEFT, i), _below(legs, three, RIGHT, j)))
+            lack /= min(moves[i], moves[j])
             fourth, fifth = fourth + lack**4, fifth + lack**5
     return fifth / fourth if fourth > 0 else 0.0
 
 
-@jit_inline
-def _off_line(hip: Triple, knee: Triple, ankle: Triple) -> tuple[Triple, Triple]:
-    """Unit vector up a leg's line, and the knee's way off it."""
-    up, thigh = unit(minus(hip, ankle)), minus(knee, hip)
-    return up, minus(thigh, times(dot(thigh, up), up))
+@jit_borrowing
+def _are_apart(room: float, left: Triple, legs: Legs) -> bool:
+    """Whether all of a leg below the knee is so far to the left of all of the other: as in nearly every step."""
+    left_most, right_most = inf, -inf
+    for joint in (legs.knee, legs.hock, legs.ankle):
+        left_most, right_most = min(left_most, dot(_point(joint, LEFT), left)), max(right_most, dot(_point(joint, RIGHT), left))
+    return left_most - right_most > (1 + SOFT) * room
 
 
 @jit_inline
-def _turn(knee: np.ndarray, up: Triple, off: Triple, by: float) -> None:
-    """Turns a leg's knee (3,) about its line by [rad], left seen from above."""
-    by = MOST * tanh(by / MOST)
+def _up(legs: Legs, leg: int) -> Triple:
+    """Unit vector up a leg's line."""
+    return unit(minus(_point(legs.hip, leg), _point(legs.ankle, leg)))
+
+
+@jit_inline
+def _off_line(legs: Legs, up: Triple, joint: np.ndarray, leg: int) -> Triple:
+    """A joint's way off a leg's line, whose direction is `up`."""
+    way = minus(_point(joint, leg), _point(legs.hip, leg))
+    return minus(way, times(dot(way, up), up))
+
+
+@jit_inline
+def _turn(legs: Legs, up: Triple, joint: np.ndarray, leg: int, by: float) -> None:
+    """Turns a joint about its leg's line by [rad], left seen from above."""
+    off = _off_line(legs, up, joint, leg)
     way = plus(times(cos(by) - 1, off), times(sin(by), cross(up, off)))
     for k in range(3):
-        knee[k] += way[k]
+        joint[leg, k] += way[k]
 
 
 @jit_borrowing
-def keep_apart(biped: Dimensions, yaw: float, hip: np.ndarray, knee: np.ndarray, ankle: np.ndarray) -> None:
-    """Moves the knees of a body that heads `yaw` [rad] as far as its shanks need. Joints (2, 3): LEFT, RIGHT."""
-    if biped.leg.metatarsus > 0:  # their knees are carried ahead beside the body, and their hocks behind
-        return
+def keep_apart(biped: Dimensions, yaw: float, legs: Legs) -> None:
+    """Moves the knees and hocks of a body that heads `yaw` [rad] as far as they need."""
     room, left = 2 * (1 + SPARE) * biped.leg.shank_radius, (-sin(yaw), cos(yaw), 0.0)
-    inner = min(dot(_point(knee, LEFT), left), dot(_point(ankle, LEFT), left))
-    if inner - max(dot(_point(knee, RIGHT), left), dot(_point(ankle, RIGHT), left)) > (1 + SOFT) * room:
-        return  # as in nearly every step
-    lack = _lacking(room, left, knee, ankle)
+    if _are_apart(room, left, legs):
+        return
+    three = biped.leg.metatarsus > 0
+    lack, bends = _lacking(room, left, legs, three), legs.hock if three else legs.knee
     if lack == 0:
         return
-    up_l, off_l = _off_line(_point(hip, LEFT), _point(knee, LEFT), _point(ankle, LEFT))
-    up_r, off_r = _off_line(_point(hip, RIGHT), _point(knee, RIGHT), _point(ankle, RIGHT))
-    b_l, b_r = dot(cross(up_l, off_l), left), dot(cross(up_r, off_r), left)
+    ups = (_up(legs, LEFT), _up(legs, RIGHT))
+    b_l = dot(cross(ups[LEFT], _off_line(legs, ups[LEFT], bends, LEFT)), left)
+    b_r = dot(cross(ups[RIGHT], _off_line(legs, ups[RIGHT], bends, RIGHT)), left)
     share = lack / (b_l * b_l + b_r * b_r + LEAST * LEAST)
-    _turn(knee[LEFT], up_l, off_l, b_l * share)
-    _turn(knee[RIGHT], up_r, off_r, -b_r * share)
+    for leg, turn in ((LEFT, b_l * share), (RIGHT, -b_r * share)):
+        by = MOST * tanh(turn / MOST)
+        _turn(legs, ups[leg], legs.knee, leg, by)
+        if three:
+            _turn(legs, ups[leg], legs.hock, leg, by)

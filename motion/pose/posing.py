@@ -8,7 +8,7 @@ from motion.characters.dimensions import Dimensions, empty_bipeds
 from motion.com import cost
 from motion.pose.body import pose_body
 from motion.pose.feet import pose_leg
-from motion.pose.knees import keep_apart
+from motion.pose.knees import Legs, keep_apart
 from motion.pose.pose import Hips, Pose, empty_pose
 from motion.track import foot, heading, phases
 from motion.track.curve import Curve, Track, evaluate
@@ -61,7 +61,7 @@ def pose_one(posed_at: int, pose_at: int) -> None:
         pose_leg(biped, track, n, leg, hips, t, pose, c)
         if n >= 0:
             pose.comfort_cost[c] += _comfort_cost(biped, footprints, n, t, pose, c, leg)
-    keep_apart(biped, yaw, pose.hip[c], pose.knee[c], pose.ankle[c])
+    keep_apart(biped, yaw, Legs(pose.hip[c], pose.knee[c], pose.hock[c], pose.ankle[c]))
     pose_body(biped, track, hips, t, pose, c)
     pose.physics_cost[c] = cost.physics_cost(com, acceleration, pose.point_of_support[c], pose.contact[c])
 

@@ -45,15 +45,21 @@ def _place(world: World, x: float, y: float, what: str) -> None:
 
 
 def _room(sim: Simulation, x: float, y: float, radius: float, what: str) -> None:
-    """Raises InputError where a thing would stand on a foot."""
+    """Raises InputError where a thing would stand on a foot, or in a body on its way to its next ones."""
     _place(sim.world, x, y, what)
     if not (math.isfinite(radius) and 0 < radius <= 1000):
         raise InputError(f"{what}: radius = {radius!r}: more than 0, at most 1000 m is allowed")
     feet, there = sim.feet().position[sim.present(), :, :2].reshape(-1, 2), sim.present()
     sole = 0.5 * np.hypot(sim.bipeds["foot"]["length"], sim.bipeds["foot"]["width"])[sim.crowd.kind[there]].repeat(2)
-    needed = np.maximum(ROOM, radius + sole + BESIDE)
-    if (np.hypot(*(feet - (x, y)).T) < needed).any():
-        raise InputError(f"{what} at ({x:.2f}, {y:.2f}): too near to a foot; {needed.max():.2f} m away or more is allowed")
+    _keep_off(np.maximum(ROOM, radius + sole + BESIDE), feet, (x, y), f"{what} at ({x:.2f}, {y:.2f}): too near to a foot")
+    wide = radius + sim.bipeds["body"]["radius"][sim.crowd.kind[there]] + BESIDE
+    _keep_off(wide, sim.com()[there, :2], (x, y), f"{what} at ({x:.2f}, {y:.2f}): too near to a body")
+
+
+def _keep_off(needed: np.ndarray, places: np.ndarray, there: tuple[float, float], said: str) -> None:
+    """Raises InputError where a place (n, 2) is nearer to another than it needs (n,) [m]."""
+    if (np.hypot(*(places - there).T) < needed).any():
+        raise InputError(f"{said}; {needed.max():.2f} m away or more is allowed")
 
 
 @dataclass(frozen=True)

@@ -6,11 +6,15 @@ import pytest
 from motion.characters.character import load_character
 from motion.measures.joints import shank_distance
 from motion.pose import legs
-from motion.pose.knees import keep_apart
+from motion.pose.knees import Legs, keep_apart
 from motion.pose.pose import empty_pose
 
 B = load_character("human").biped
 HIP, LOW = B.timing.hip_height, B.foot.ankle_height
+
+
+def apart_at(yaw, pose):
+    keep_apart(B, yaw, Legs(pose.hip[0], pose.knee[0], pose.hock[0], pose.ankle[0]))
 
 
 CLOSE = [
@@ -44,7 +48,7 @@ def test_shanks_that_touch_are_turned_apart(yaw, left, right):
     pose = posed(yaw, left, right)
     was = {name: getattr(pose, name).copy() for name in ("hip", "knee", "ankle")}
     assert apart(pose) < -0.002
-    keep_apart(B, yaw, pose.hip[0], pose.knee[0], pose.ankle[0])
+    apart_at(yaw, pose)
     assert apart(pose) > 0
     for name in ("hip", "ankle"):
         np.testing.assert_array_equal(getattr(pose, name), was[name])
@@ -56,7 +60,7 @@ def test_shanks_that_touch_are_turned_apart(yaw, left, right):
 def test_knees_that_are_apart_stay():
     pose = posed(0.3, (0.2, 0.07, LOW), (-0.2, -0.07, LOW))
     knee = pose.knee.copy()
-    keep_apart(B, 0.3, pose.hip[0], pose.knee[0], pose.ankle[0])
+    apart_at(0.3, pose)
     np.testing.assert_array_equal(pose.knee, knee)
 
 
@@ -64,7 +68,7 @@ def test_a_foot_that_comes_past_turns_them_by_and_by():
     steps = []
     for x in np.arange(-0.4, 0.4, 1e-3):
         pose = posed(0.0, (x, 0.0, LOW + 0.1), (0.0, -0.1, LOW))
-        keep_apart(B, 0.0, pose.hip[0], pose.knee[0], pose.ankle[0])
+        apart_at(0.0, pose)
         steps.append(pose.knee[0].copy())
     assert np.abs(np.diff(steps, axis=0)).max() < 6e-3
     assert np.abs(np.diff(steps, n=2, axis=0)).max() < 6e-4

@@ -34,7 +34,7 @@ def report_of(recorder):
 
 
 @pytest.mark.parametrize("character", CHARACTERS)
-@pytest.mark.parametrize("level", ["forest", "dense_forest", "hills", "forest_river"])
+@pytest.mark.parametrize("level", ["forest", "dense_forest", "hills", "forest_river", "concourse", "rock_field"])
 def test_wanderers_walk_well(level, character):
     sim = make_simulation(level, character, 1, 5, False)
     worst = report_of(recorded(sim, 60))
@@ -46,6 +46,7 @@ def test_wanderers_walk_well(level, character):
     assert worst["mean_physics_cost"] <= 0.3 and worst["flight_residual"] <= 0.2
     assert worst["physics_cost_error"] <= 1e-6
     assert worst["force"] <= 4 and worst["friction"] <= 0.7
+    assert worst["shank_gap"] >= -7e-3, "legs keep out of each other"
 
 
 @pytest.mark.parametrize("character", CHARACTERS)
@@ -58,6 +59,7 @@ def test_rivers_are_crossed(level, character):
     assert worst["flight_residual"] <= 0.4 and worst["mean_physics_cost"] <= 0.45
     assert worst["overreach"] <= 1e-3
     assert worst["force"] <= 4 and worst["friction"] <= 0.7, "no more than legs and soles give, leaps from a slow step too"
+    assert worst["shank_gap"] >= -7e-3
 
 
 def crowd_digest(threads):
