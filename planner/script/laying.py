@@ -12,7 +12,7 @@ from planner.round.round import UNHURRIED, Wish
 from planner.script.footprint import Footprint
 from planner.stepping.arriving import STAND_TIME
 from planner.stepping.placing import lay_swing
-from planner.stepping.taking import stand_at, take_step
+from planner.stepping.taking import speed_before, stand_at, take_step
 from worlds.arrays import WorldArrays, no_world
 from worlds.compiled.jit import jit
 from worlds.compiled.tables import empty
@@ -57,10 +57,12 @@ def lay(
     first = np.array([(*given[i].position, headings[i]) for i in range(2)])
     ground = no_world() if world is None else world
     biped, side = character.biped, SIDES.index(given[1].side)
-    lay_steps(biped, ground, footprints, side, first, steps, SUPPORTS[support], stand_after)
+    paces = by_themselves(biped, ground, footprints, side, first, steps)
+    lay_steps(biped, ground, footprints, side, first, steps, paces)
     if any(one.at is not None for one in given):
         _pin(steps, footprints, given, row, name)
-        lay_steps(biped, ground, footprints, side, first, steps, SUPPORTS[support], stand_after)
+        lay_steps(biped, ground, footprints, side, first, steps, paces)
+    end_standing(biped, ground, footprints, SUPPORTS[support], stand_after)
     _check(footprints, name)
     return Laid(footprints, row)
 
@@ -94,14 +96,40 @@ def _pin(steps: np.ndarray, footprints: Footprints, given: list[Footprint], row:
 @jit
 def lay_steps(
     biped: Dimensions, world: WorldArrays, footprints: Footprints, side: int, first: np.ndarray, steps: np.ndarray,
-    support: float, rest: float,
+    paces: np.ndarray,
 ) -> None:  # fmt: skip
-    """Fills footprints (K + 2,): two to stand on at `first` (2, 3), the second of foot `side`, and those of steps (K,)."""
+    """Fills footprints (K + 2,): two to stand on at `first` (2, 3), the second of foot `side`, and those of steps (K,).
+
+    paces (K,): the speed [m/s] that the step before each is taken to have had, NaN: the one it had.
+    """
     stand_at(biped, world, footprints, side, first, 0.0, 0.0)
-    n = len(footprints.side)
-    for k in range(2, n):
+    for k in range(2, len(footprints.side)):
         step = step_in(steps[k - 2])
-        take_step(biped, world, footprints, k, Wish(step, step.heading, UNHURRIED, False, False), 0.0)
+        take_step(biped, world, footprints, k, Wish(step, step.heading, UNHURRIED, False, False), 0.0, paces[k - 2])
+
+
+@jit
+def by_themselves(
+    biped: Dimensions, world: WorldArrays, footprints: Footprints, side: int, first: np.ndarray, steps: np.ndarray
+) -> np.ndarray:
+    """The speed (K,) [m/s] of the step before each, if no times were given. Leaves footprints laid for that.
+
+    Whether a step is walked, run or leapt follows from it. Who gives one step another time means that step alone: if the times
+    of the next ones followed from the given one, a dagger that is dragged would turn a run behind it into a walk at once.
+    """
+    free, paces = steps.copy(), np.full(len(steps), np.nan)
+    for k in range(len(steps)):
+        free[k].time = free[k].stance_time = np.nan
+    lay_steps(biped, world, footprints, side, first, free, paces)
+    for k in range(len(steps)):
+        paces[k] = speed_before(footprints, k + 2)
+    return paces
+
+
+@jit
+def end_standing(biped: Dimensions, world: WorldArrays, footprints: Footprints, support: float, rest: float) -> None:
+    """Lets who has walked on the footprints stand on the last two, presses where `support` says, and lifts the swings."""
+    n = len(footprints.side)
     stands = n - 1 if footprints.side[n - 1] == footprints.side[n - 2] else n - 2  # after a hop on one foot
     footprints.roll[stands:n, 1] = 0.5
     if not np.isnan(support):

@@ -1,6 +1,6 @@
 """Taking a step in a row of footprints: where it lands, how the feet roll, and the timing of the footprint that it leaves."""
 
-from math import isnan
+from math import isnan, nan
 
 import numpy as np
 
@@ -41,10 +41,13 @@ def stand_at(
 
 
 @jit_borrowing
-def take_step(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: int, wish: Wish, toe_out: float) -> None:
+def take_step(
+    biped: Dimensions, world: WorldArrays, footprints: Footprints, n: int, wish: Wish, toe_out: float, before: float = nan
+) -> None:
     """Puts the footprint of a wished step at row n, after the rows before, and times the one that it leaves.
 
-    toe_out: how far the sole points outward of the step's heading [rad]; 0 where that is the sole's own.
+    toe_out: how far the sole points outward of the step's heading [rad]; 0 where that is the sole's own. before: the speed
+    [m/s] that the step before it is taken to have had; NaN: the one it had.
     """
     step = wish.step
     if step.stands > 0:
@@ -54,7 +57,7 @@ def take_step(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: 
         out = outward(step.side, toe_out)
         place(footprints, n, step, out, lay_sole(biped, world, step.x, step.y, step.heading + out, rock), rock)
     _roll(biped, footprints, n)
-    time, stance = _timing(biped, footprints, n, wish)
+    time, stance = _timing(biped, footprints, n, wish, speed_before(footprints, n) if isnan(before) else before)
     _set_timing(biped, footprints, n, time, stance)
     footprints.nominal_length[n] *= step.crouch
     footprints.facing[n] = step.facing
@@ -85,15 +88,16 @@ def _brake(footprints: Footprints, n: int) -> None:
 
 
 @jit_borrowing
-def _timing(biped: Dimensions, footprints: Footprints, n: int, wish: Wish) -> tuple[float, float]:
-    """(step time, stance time) of footprint n - 1: automatic (paper, section 4.1), but for what is asked for."""
+def _timing(biped: Dimensions, footprints: Footprints, n: int, wish: Wish, before: float) -> tuple[float, float]:
+    """(step time, stance time) of footprint n - 1: automatic (paper, section 4.1), but for what is asked for; before: the speed
+    of the step before it [m/s]."""
     asked = wish.step
     if asked.stands > 0:
         return _as_asked(asked, asked.stands, asked.stands + START_OVERLAP * timing.hip_pendulum(biped))
     turn = abs(walker_heading(footprints, n) - walker_heading(footprints, n - 1))
     hop = asked.side == footprints.side[n - 1]
-    length, before = step_length(footprints, n), _speed_before(footprints, n)
-    running = before > 0 and timing.is_running(biped, step_length(footprints, n - 1), footprints.step_time[n - 2])
+    length, last = step_length(footprints, n), step_length(footprints, n - 1)
+    running = before > 0 and timing.is_running(biped, last, last / before)
     step, stance = timing.step_timing(biped, length, rise(footprints, n), turn, hop, wish.longest, running, before)
     overlap = footprints.contact_time[n - 2] + footprints.stance_time[n - 2] - footprints.contact_time[n - 1]
     if overlap < 0:  # who comes down from a flight does not stay on one foot for long
@@ -105,7 +109,7 @@ def _timing(biped: Dimensions, footprints: Footprints, n: int, wish: Wish) -> tu
 
 
 @jit_borrowing
-def _speed_before(footprints: Footprints, n: int) -> float:
+def speed_before(footprints: Footprints, n: int) -> float:
     """Speed [m/s] of the step before, to footprint n - 1; 0 where one stood."""
     if n < 3 or footprints.stands[n - 1]:
         return 0.0

@@ -69,7 +69,11 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
         "speeds of people": [(visiting.speeds_of, (bipeds, np.zeros(1), np.zeros(1)))],
         "stride law": [(timing.step_timing, (biped, 0.0, 0.0, 0.0, False, 0.0, True, 0.0))],
         "route search": [(search.find, (biped, spots, land, 0, 0))],
-        "laying footprints": [(laying.lay_steps, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP), 0.0, 0.0))],
+        "laying footprints": [
+            (laying.lay_steps, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP), np.zeros(1))),
+            (laying.by_themselves, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP))),
+            (laying.end_standing, (biped, w, empty(Footprints, 1), 0.0, 0.0)),
+        ],
         "edited curves": [
             (window.optimise_track, (biped, empty(Footprints, 1), span, nothing, window.SCENE, newton.SCENE)),
         ],

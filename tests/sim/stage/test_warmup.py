@@ -39,6 +39,8 @@ def test_nothing_is_left_to_compile():
         rounds.optimise_step,
         motion.solve_track,
         laying.lay_steps,
+        laying.by_themselves,
+        laying.end_standing,
         posing.pose_rows,
         turning.fill_all_bones,
         turning.lay_bones,
