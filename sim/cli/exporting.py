@@ -13,8 +13,7 @@ from sim.files import outputs
 from sim.files.recording import Recording
 from sim.files.taking import opened, span_of, taken
 from sim.stage.cast import Cast
-from sim.stage.run import progress
-from worlds.compiled.telling import tell
+from sim.stage.run import Bar
 from worlds.errors import InputError
 
 
@@ -42,8 +41,9 @@ def _recording(source: Recording | Cast, asked: Asked) -> Recording:
     """What is there, or is taken now. Raises InputError."""
     if isinstance(source, Recording):
         return source
-    found = taken(source, span_of(source, asked.begin, asked.end), asked.rate or source.tick_rate, progress)
-    tell("")
+    bar = Bar()
+    found = taken(source, span_of(source, asked.begin, asked.end), asked.rate or source.tick_rate, bar.show)
+    bar.end()
     return found
 
 

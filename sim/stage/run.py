@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sim.stage.cast import Cast
-from worlds.compiled.telling import tell
+from worlds.compiled.telling import is_watched, tell
 
 STANDS_STILL = 2.0
 """A run to a goal ends this long [s] after everyone has reached it."""
@@ -22,7 +22,7 @@ def run(
 
     Each of after_tick is called after every tick. The bar goes to stderr.
     """
-    watch = _Watch(sim)
+    watch, bar = _Watch(sim), Bar()
     ticks = int(round(seconds * sim.tick_rate)) - sim.ticks
     for k in range(ticks):
         sim.tick()
@@ -30,19 +30,34 @@ def run(
             look()
         watch.look()
         if not quiet and (k % 30 == 0 or k == ticks - 1):
-            progress((k + 1) / ticks)
+            bar.show((k + 1) / ticks)
         if stop() or sim.over or (watch.all_there_since is not None and sim.time - watch.all_there_since > STANDS_STILL):
             break
     if not quiet:
-        tell("")
+        bar.end()
     watch.measure()
     return watch.summary()
 
 
-def progress(share: float) -> None:
-    """How much is done, 0 to 1, as a bar that stays in its line."""
-    full = int(30 * share)
-    tell(f"\r  [{'#' * full}{'.' * (30 - full)}] {share:4.0%}", end="")
+class Bar:
+    """How much is done, as a bar that stays in its line; where that goes to a file, a line for each tenth."""
+
+    def __init__(self) -> None:
+        self._told = 0
+
+    def show(self, share: float) -> None:
+        """share: what is done, 0 to 1."""
+        full, tenths = int(30 * share), int(10 * share)
+        if is_watched():
+            tell(f"\r  [{'#' * full}{'.' * (30 - full)}] {share:4.0%}", end="")
+        elif tenths > self._told:
+            tell(f"  {tenths:3}0%")
+        self._told = tenths
+
+    def end(self) -> None:
+        """Goes on below it."""
+        if is_watched():
+            tell("")
 
 
 class _Watch:

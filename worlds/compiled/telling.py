@@ -18,6 +18,13 @@ def tell(text: str, end: str = "\n") -> None:
             print(text, end=end, file=sys.stderr, flush=True)
 
 
+def is_watched() -> bool:
+    """Whether it is a terminal that is told, on which a line can be written over."""
+    with suppress(AttributeError, ValueError):
+        return sys.stderr.isatty()
+    return False
+
+
 class _Work:
     """What is being waited for: how deep in it we are, when something was last said, if anything was."""
 

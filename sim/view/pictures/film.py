@@ -9,12 +9,11 @@ import numpy as np
 
 from sim.files.outputs import Part
 from sim.stage.cast import Cast
-from sim.stage.run import progress
+from sim.stage.run import Bar
 from sim.view.graphics.gl import NoGL
 from sim.view.graphics.quality import Quality
 from sim.view.pictures.offscreen import Picture
 from worlds.compiled import leaving
-from worlds.compiled.telling import tell
 from worlds.errors import InputError
 
 QUALITY = Quality(1024, 4, 4)
@@ -84,12 +83,13 @@ class Film:
     def go_on(self, ticks: int) -> None:
         """Films this moment, and so many ticks from now on; tells how much is done."""
         self.add()
+        bar = Bar()
         for k in range(ticks):
             self.sim.tick()
             self.add()
             if k % 30 == 0 or k == ticks - 1:
-                progress((k + 1) / ticks)
-        tell("")
+                bar.show((k + 1) / ticks)
+        bar.end()
 
     def _write(self) -> None:
         """A frame of now; where ffmpeg has ended, `close` says so, and the run goes on for its other results."""
