@@ -184,7 +184,8 @@ def _check(footprints: Footprints, name: str) -> None:
             x, y, _ = footprints.position[n]
             raise InputError(
                 f"{name}: the {SIDES[side]} foot lands on ({x:.2f}, {y:.2f}) at "
-                f"{footprints.contact_time[n]:.2f} s but has left its last footprint only at {left:.2f} s; "
-                "give that footprint a shorter stance_time, or the steps between longer step_times"
+                f"{footprints.contact_time[n]:.2f} s but has left its last footprint only at {left:.2f} s; a swing takes "
+                f"{SHORTEST_SWING:g} s at least: give that footprint a shorter stance_time, or the steps between longer "
+                "step_times"
             )
         last[side] = n
