@@ -23,7 +23,7 @@ from planner.round import reservations
 from planner.round.round import Round
 from planner.round.soles import Sole, sole_of
 from planner.stepping import timing
-from planner.stepping.beside import Place, apart_from, beside, sole_heading
+from planner.stepping.beside import Place, beside, sole_heading
 from planner.stepping.footing import FINE, why_not_step
 from planner.stepping.steering import free_way
 from worlds import queries
@@ -81,16 +81,10 @@ def _time(biped: Dimensions, walker: Walker, fx: float, fy: float, turn: float) 
     return max(time, timing.least_step_time(biped, walker.overlap))
 
 
-@jit_inline
-def standing_on(walker: Walker) -> Foot:
-    """Where the other foot stands."""
-    return Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
-
-
 @jit_borrowing
 def candidate_to(biped: Dimensions, walker: Walker, middle: Place, heading: float) -> Candidate:
     """The step to a middle."""
-    fx, fy = apart_from(biped, standing_on(walker), beside(biped, walker.side, middle, heading), heading)
+    fx, fy = beside(biped, walker.side, middle, heading)
     return Candidate(middle[0], middle[1], heading, fx, fy, _time(biped, walker, fx, fy, abs(heading - walker.heading)))
 
 
@@ -117,7 +111,7 @@ def bearing_of(biped: Dimensions, walker: Walker, aside: float) -> Bearing:
 def candidate(biped: Dimensions, walker: Walker, to: Bearing, length: float) -> Candidate:
     """A step of a length [m]."""
     x, y = walker.x + length * to.ahead_x, walker.y + length * to.ahead_y
-    fx, fy = apart_from(biped, standing_on(walker), (x + to.aside_x, y + to.aside_y), to.heading)
+    fx, fy = x + to.aside_x, y + to.aside_y
     return Candidate(x, y, to.heading, fx, fy, _time(biped, walker, fx, fy, to.turn))
 
 
@@ -155,7 +149,8 @@ def is_open(round: Round, walker: Walker, step: Candidate) -> bool:
         if free_way(biped, world, walker.x, walker.y, course, walker.margin - 0.01, length) < length:
             return False
     if walker.careful:
-        return why_not_step(biped, world, standing_on(walker), step.foot_x, step.foot_y, step.heading) == FINE
+        foot = Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
+        return why_not_step(biped, world, foot, step.foot_x, step.foot_y, step.heading) == FINE
     return True
 
 

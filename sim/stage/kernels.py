@@ -6,6 +6,7 @@ import numpy as np
 
 from motion import motion
 from motion.characters.character import load_character
+from motion.characters.dimensions import Dimensions
 from motion.com import newton, window
 from motion.pose import turning
 from motion.pose.bones import Bones, Placed
@@ -69,16 +70,22 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
         "speeds of people": [(visiting.speeds_of, (bipeds, np.zeros(1), np.zeros(1)))],
         "stride law": [(timing.step_timing, (biped, 0.0, 0.0, 0.0, False, 0.0, True, 0.0))],
         "route search": [(search.find, (biped, spots, land, 0, 0))],
-        "laying footprints": [
-            (laying.lay_steps, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP), np.zeros(1))),
-            (laying.by_themselves, (biped, w, empty(Footprints, 1), 0, matrix, np.zeros(1, STEP))),
-            (laying.end_standing, (biped, w, empty(Footprints, 1), 0.0, 0.0)),
-        ],
+        "laying footprints": _laying(biped, w, matrix),
         "edited curves": [
             (window.optimise_track, (biped, empty(Footprints, 1), span, nothing, window.SCENE, newton.SCENE)),
         ],
         "whole curves": [(motion.solve_track, (biped, empty(Footprints, 1), 0.0, matrix, window.SCENE, newton.SCENE))],
     }
+
+
+def _laying(biped: Dimensions, world: WorldArrays, matrix: np.ndarray) -> list[tuple[Any, tuple]]:
+    """Laying the footprints of a scene."""
+    footprints, steps = empty(Footprints, 1), np.zeros(1, STEP)
+    return [
+        (laying.lay_steps, (biped, world, footprints, 0, matrix, steps, np.zeros(1))),
+        (laying.by_themselves, (biped, world, footprints, 0, matrix, steps)),
+        (laying.end_standing, (biped, world, footprints, 0.0, 0.0)),
+    ]
 
 
 def _ground(world: WorldArrays) -> list[tuple[Any, tuple]]:
