@@ -3,7 +3,7 @@
 from math import cos, hypot, inf, sin
 
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import Foot
+from motion.track.footprints import Foot, Step
 from planner.round.round import Me, Round, Wish, biped_of, standing, stepping
 from planner.stepping import random
 from planner.stepping.beside import Place, apart_from, beside, keeps_apart, middle_beside, middle_of
@@ -34,7 +34,7 @@ def surely(round: Round, me: Me, middle: Place, heading: float, course: float, g
     Beside a wall alone it waits for others there, or turns.
     """
     biped, foot, side = biped_of(round, me), me.feet.newer, 1 - me.feet.newer.side
-    x, y = apart_from(biped, foot, beside(biped, side, middle, heading), heading)
+    x, y = beside(biped, side, middle, heading)
     if not needs_care(biped, round.world, foot.x, foot.y):
         return stepping(side, (x, y), heading, course, goes)
     strays, on = is_rough(biped, round.world, foot.x, foot.y), _gets_on(biped, foot, middle, heading, heading)
@@ -47,6 +47,20 @@ def surely(round: Round, me: Me, middle: Place, heading: float, course: float, g
     if turned == inf:
         return standing(me, WAIT)
     return stepping(side, found, turned, course, goes)
+
+
+@jit_borrowing
+def heels_apart(round: Round, me: Me, wish: Wish) -> Wish:
+    """The wish of one who is alone, with its foot so much further outward that ankles keep apart, if it may stand there."""
+    step, foot = wish.step, me.feet.newer
+    if step.stands > 0 or step.side == foot.side:
+        return wish
+    biped = biped_of(round, me)
+    x, y = apart_from(biped, foot, (step.x, step.y), step.heading)
+    if (x == step.x and y == step.y) or why_not_step(biped, round.world, foot, x, y, step.heading) != FINE:
+        return wish
+    apart = Step(step.side, x, y, step.heading, step.time, step.stance_time, step.stands, step.crouch, step.facing)
+    return Wish(apart, wish.course, wish.longest, wish.avoids, wish.goes)
 
 
 @jit_borrowing

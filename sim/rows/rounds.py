@@ -22,6 +22,7 @@ from planner.round.refusals import NO_ANSWER, can_be, nothing_refused, refuse
 from planner.round.reservations import Reservations
 from planner.round.round import Me, Round, Wish, standing
 from planner.stepping import random
+from planner.stepping.finding import heels_apart
 from planner.stepping.going_on import going_on
 from planner.stepping.placing import lay_swing
 from planner.stepping.taking import take_step
@@ -97,7 +98,7 @@ def _wish_among_others(work: Work, me: Me) -> tuple[Wish, bool]:
         return wish, False
     if work.others == 0:
         intend(work.round, me, wish)
-        return wish, False
+        return (wish if work.soles else heels_apart(work.round, me, wish)), False
     answer = lend_wish(wish)
     call_three(work.others, work.round_at, lend_me(me), answer)
     free = open_wish(answer)
