@@ -28,3 +28,9 @@ def test_what_is_weighed_has_a_figure_of_each_value(monkeypatch):
     (row,) = weighing.weighed()
     assert row.values == [0.0, PEOPLE.touch, 2 * PEOPLE.touch] and len(row.flows) == len(row.figures) == 3
     assert row.words[1] == f"two who meet pass {row.figures[1]:.2f} m apart"
+
+
+def test_who_has_waited_longest_before_a_narrow_door_is_let_through():
+    last_through = weighing.SCENES["rank"]
+    assert np.isfinite(last_through.figure(last_through.run(PEOPLE)))
+    assert not np.isfinite(last_through.figure(last_through.run(PEOPLE.of("rank", 0.0)))), "else two stand before each other"
