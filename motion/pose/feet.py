@@ -26,9 +26,9 @@ CARRIED_ENDS, HANGS = 0.35, (0.3, 0.72)
 """Share of the swing, at either end, over which that sets in; where the ankle hangs, back and down from the hip, in legs."""
 UNDER_HIP = 1.2
 """Distance aside of its hip, in shortest legs, from which on a swinging ankle may be as high as the hip."""
-PASSES, CHANGES = 0.04, 0.1
-"""Way of the hip past a standing foot [m], and share of its stance, over which it changes from tilting about the heel to about
-the ball."""
+PASSES, CHANGES = 0.044, 0.1
+"""Way of the hip past a standing foot, in nominal legs, and share of its stance, over which it changes from tilting about the
+heel to about the ball."""
 _empty_place = stack_array(1, 3)
 
 
@@ -147,7 +147,7 @@ def _leans(biped: Dimensions, footprints: Footprints, n: int, u: float, ahead: f
     By how far [m] the hip is ahead of its ankle; but while it rolls down from its heel about that, and from its heel-off on
     about its ball. All of it sets in by and by, so that a leg that is too long all along changes over without a jump.
     """
-    lean, begin = min(max(ahead / PASSES, -1.0), 1.0), 1 - biped.foot.heel_off_fraction
+    lean, begin = min(max(ahead / (PASSES * biped.leg.nominal_length), -1.0), 1.0), 1 - biped.foot.heel_off_fraction
     if footprints.strike[n] > 0:
         lean = min(lean, max(2 * (u - foot.FLAT_BY) / CHANGES - 1, -1.0))
     if foot.leaving_angle(biped, footprints, n) > 0:

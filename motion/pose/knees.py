@@ -1,11 +1,12 @@
-"""Legs keep apart: where one would pass too near to the other below the knee, both turn about their lines from hip to ankle,
-so that no foot moves: knees of two links outward, hocks of three.
+"""Legs keep apart: where one would pass too near to the other below the knee, knees turn outward about the line from hip to
+ankle, and hocks of three links about that from knee to ankle, so that no foot moves. (Three links as one, about the line from
+the hip, would turn their knees inward, which are on its other side: shanks crossed.)
 
 Let w be the vector from a point of the right leg to one of the left, and s what of it points to the left. They lack R - s, R
 the room they need; less, the farther one is before or above the other. A point between the joint that bends most and an end
 moves less than the joint, by a share m. Of pairs of points that lack l_i / m the legs lack sum l^5 / sum l^4: nearly the most,
 but smooth, as the nearest points are not. Turning leg i by phi_i moves its joint by b_i phi_i to its outside, b_i being how far
-the joint is off that line, ahead. The least turns that do are phi_i = b_i lack / (b_l^2 + b_r^2). A leg that is straight has
+the joint is off its line, ahead. The least turns that do are phi_i = b_i lack / (b_l^2 + b_r^2). A leg that is straight has
 hardly any joint to turn: LEAST keeps that from turning far, and MOST all of them.
 """
 
@@ -24,8 +25,8 @@ SPARE, BESIDE = 0.3, 2.0
 """Room between shanks beyond their radii, and how far before or above each other they need none, in two radii."""
 SOFT = 0.15
 """How gradually a lack of room sets in, in rooms."""
-LEAST, MOST = 0.05, 0.5
-"""Distance of a joint from its leg's line [m] below which it turns less; most that a leg turns [rad]."""
+LEAST, MOST = 0.055, 0.5
+"""Distance of a joint from its line, in nominal legs, below which it turns less; most that a leg turns [rad]."""
 ALONG = (0.0, 0.35, 0.7)
 """Where points of a shank above the ankle are looked at, in shares from the knee."""
 MOVES, BESIDE_HOCK = (1.0, 0.65, 0.5), (0.5, 1.0, 0.5)
@@ -93,22 +94,22 @@ def _are_apart(room: float, left: Triple, legs: Legs) -> bool:
 
 
 @jit_inline
-def _up(legs: Legs, leg: int) -> Triple:
-    """Unit vector up a leg's line."""
-    return unit(minus(_point(legs.hip, leg), _point(legs.ankle, leg)))
+def _up(top: np.ndarray, ankle: np.ndarray, leg: int) -> Triple:
+    """Unit vector up the line about which a leg turns."""
+    return unit(minus(_point(top, leg), _point(ankle, leg)))
 
 
 @jit_inline
-def _off_line(legs: Legs, up: Triple, joint: np.ndarray, leg: int) -> Triple:
-    """A joint's way off a leg's line, whose direction is `up`."""
-    way = minus(_point(joint, leg), _point(legs.hip, leg))
+def _off_line(top: np.ndarray, up: Triple, joint: np.ndarray, leg: int) -> Triple:
+    """A joint's way off that line, whose direction is `up`."""
+    way = minus(_point(joint, leg), _point(top, leg))
     return minus(way, times(dot(way, up), up))
 
 
 @jit_inline
-def _turn(legs: Legs, up: Triple, joint: np.ndarray, leg: int, by: float) -> None:
-    """Turns a joint about its leg's line by [rad], left seen from above."""
-    off = _off_line(legs, up, joint, leg)
+def _turn(top: np.ndarray, up: Triple, joint: np.ndarray, leg: int, by: float) -> None:
+    """Turns a joint about that line by [rad], left seen from above."""
+    off = _off_line(top, up, joint, leg)
     way = plus(times(cos(by) - 1, off), times(sin(by), cross(up, off)))
     for k in range(3):
         joint[leg, k] += way[k]
@@ -116,20 +117,18 @@ def _turn(legs: Legs, up: Triple, joint: np.ndarray, leg: int, by: float) -> Non
 
 @jit_borrowing
 def keep_apart(biped: Dimensions, yaw: float, legs: Legs) -> None:
-    """Moves the knees and hocks of a body that heads `yaw` [rad] as far as they need."""
+    """Moves the knees, or the hocks of three links, of a body that heads `yaw` [rad] as far as they need."""
     room, left = 2 * (1 + SPARE) * biped.leg.shank_radius, (-sin(yaw), cos(yaw), 0.0)
     if _are_apart(room, left, legs):
         return
     three = biped.leg.metatarsus > 0
-    lack, bends = _lacking(room, left, legs, three), legs.hock if three else legs.knee
+    lack = _lacking(room, left, legs, three)
     if lack == 0:
         return
-    ups = (_up(legs, LEFT), _up(legs, RIGHT))
-    b_l = dot(cross(ups[LEFT], _off_line(legs, ups[LEFT], bends, LEFT)), left)
-    b_r = dot(cross(ups[RIGHT], _off_line(legs, ups[RIGHT], bends, RIGHT)), left)
-    share = lack / (b_l * b_l + b_r * b_r + LEAST * LEAST)
+    top, bends = (legs.knee, legs.hock) if three else (legs.hip, legs.knee)
+    ups = (_up(top, legs.ankle, LEFT), _up(top, legs.ankle, RIGHT))
+    b_l = dot(cross(ups[LEFT], _off_line(top, ups[LEFT], bends, LEFT)), left)
+    b_r = dot(cross(ups[RIGHT], _off_line(top, ups[RIGHT], bends, RIGHT)), left)
+    share = lack / (b_l * b_l + b_r * b_r + (LEAST * biped.leg.nominal_length) ** 2)
     for leg, turn in ((LEFT, b_l * share), (RIGHT, -b_r * share)):
-        by = MOST * tanh(turn / MOST)
-        _turn(legs, ups[leg], legs.knee, leg, by)
-        if three:
-            _turn(legs, ups[leg], legs.hock, leg, by)
+        _turn(top, ups[leg], bends, leg, MOST * tanh(turn / MOST))

@@ -1,4 +1,4 @@
-"""Knees that come too near turn outward, and nothing else moves."""
+"""Knees that come too near turn outward, hocks of three links, and nothing else moves."""
 
 import numpy as np
 import pytest
@@ -10,11 +10,11 @@ from motion.pose.knees import Legs, keep_apart
 from motion.pose.pose import empty_pose
 
 B = load_character("human").biped
-HIP, LOW = B.timing.hip_height, B.foot.ankle_height
+LOW = B.foot.ankle_height
 
 
-def apart_at(yaw, pose):
-    keep_apart(B, yaw, Legs(pose.hip[0], pose.knee[0], pose.hock[0], pose.ankle[0]))
+def apart_at(yaw, pose, biped=B):
+    keep_apart(biped, yaw, Legs(pose.hip[0], pose.knee[0], pose.hock[0], pose.ankle[0]))
 
 
 CLOSE = [
@@ -25,21 +25,21 @@ CLOSE = [
 """Ankles of left and right legs whose shanks are in each other, but not their feet."""
 
 
-def posed(yaw, left, right):
+def posed(yaw, left, right, biped=B):
     """Legs on ankles (forward, to the left, up) of a body that heads `yaw`."""
     pose, c, s = empty_pose(1), np.cos(yaw), np.sin(yaw)
     for side, (x, y, z) in enumerate((left, right)):
-        wide = B.leg.hip_side * (1 - 2 * side)
-        hip, ankle = (-wide * s, wide * c, HIP), (x * c - y * s, x * s + y * c, z)
-        knee, _ = legs.joints(B, hip, ankle, (c, s, 0.0))
-        for joint, place in ((pose.hip, hip), (pose.knee, knee), (pose.ankle, ankle), (pose.hock, ankle)):
+        wide = biped.leg.hip_side * (1 - 2 * side)
+        hip, ankle = (-wide * s, wide * c, biped.timing.hip_height), (x * c - y * s, x * s + y * c, z)
+        knee, hock = legs.joints(biped, hip, ankle, (c, s, 0.0))
+        for joint, place in ((pose.hip, hip), (pose.knee, knee), (pose.ankle, ankle), (pose.hock, hock)):
             joint[0, side] = place
     return pose
 
 
-def apart(pose):
+def apart(pose, biped=B):
     """Gap between the shanks [m]."""
-    return shank_distance(pose.knee, pose.hock, pose.ankle)[0] - 2 * B.leg.shank_radius
+    return shank_distance(pose.knee, pose.hock, pose.ankle)[0] - 2 * biped.leg.shank_radius
 
 
 @pytest.mark.parametrize("yaw", [0.0, 2.5])
@@ -72,3 +72,29 @@ def test_a_foot_that_comes_past_turns_them_by_and_by():
         steps.append(pose.knee[0].copy())
     assert np.abs(np.diff(steps, axis=0)).max() < 6e-3
     assert np.abs(np.diff(steps, n=2, axis=0)).max() < 6e-4
+
+
+@pytest.mark.parametrize("yaw", [0.0, 2.5])
+@pytest.mark.parametrize("name", ["bird", "dinosaur", "ostrich"])
+def test_hocks_turn_outward_below_knees_that_stay(name, yaw):
+    """Turned as one with their knees, which are ahead of the leg, these came inward: shanks crossed."""
+    biped = load_character(name).biped
+    wide, ahead, low = 0.5 * biped.leg.shank_radius, 0.05 * biped.leg.nominal_length, biped.foot.ankle_height
+    pose = posed(yaw, (ahead, -wide, low), (-ahead, wide, low), biped)
+    was = {name: getattr(pose, name).copy() for name in ("knee", "hock", "ankle")}
+    gap = apart(pose, biped)
+    apart_at(yaw, pose, biped)
+    assert apart(pose, biped) > gap + wide
+    for end in ("knee", "ankle"):
+        np.testing.assert_array_equal(getattr(pose, end), was[end])
+        before, now = (np.linalg.norm(joints - was[end], axis=2) for joints in (was["hock"], pose.hock))
+        np.testing.assert_allclose(now, before, atol=1e-12, err_msg="bones are rigid")
+
+
+def test_a_larger_character_turns_its_knees_as_far():
+    twice = load_character("human", 2.0).biped
+    for left, right in CLOSE:
+        small, large = posed(0.0, left, right), posed(0.0, np.multiply(left, 2), np.multiply(right, 2), twice)
+        apart_at(0.0, small)
+        apart_at(0.0, large, twice)
+        np.testing.assert_allclose(large.knee, 2 * small.knee, atol=1e-9)
