@@ -17,7 +17,7 @@ from planner.modes.reins import CREEP, RUN, STAND, WALK, Reins
 from planner.round import reservations
 from planner.round.round import UNHURRIED, Me, Round, Wish, biped_of, standing
 from planner.stepping import timing
-from planner.stepping.beside import middle_beside, middle_of
+from planner.stepping.beside import are_together, middle_beside, middle_of
 from planner.stepping.seeking import Wanted, seek
 from planner.stepping.steering import free_way
 from worlds import queries
@@ -43,8 +43,8 @@ ON_THE_SPOT = 1.2
 """Who still has to turn by more than this [rad] turns on the spot."""
 ALIGNED = 0.03
 """Who faces the direction but for this [rad] has turned."""
-NEAR_ENOUGH, TOGETHER = 0.8, 0.2
-"""A place is taken within this share of the step from the wanted one; feet are together within so many preferred steps."""
+NEAR_ENOUGH = 0.8
+"""A place is taken within this share of the step from the wanted one."""
 NOWHERE = 1e-9
 """A step that is to bring the middle no farther [m] stays where it is."""
 LEAST_STEP = 0.15
@@ -198,9 +198,8 @@ def _to_the_letter(round: Round, me: Me, wish: Wish, middle: tuple[float, float]
 def _at_rest(round: Round, me: Me, reins: Reins, wanted: Wanted) -> Wish:
     """Who goes nowhere: it turns if it is told to, brings its feet together, and stands."""
     biped, foot, older = biped_of(round, me), me.feet.newer, me.feet.older
-    (x, y), (u, v) = middle_beside(biped, foot), middle_beside(biped, older)
     turns = abs(wanted.heading - foot.heading) > ALIGNED or abs(foot.heading - older.heading) > ALIGNED
-    if older.side != foot.side and (turns or hypot(x - u, y - v) > TOGETHER * biped.gait.preferred_step):
+    if older.side != foot.side and (turns or not are_together(biped, foot, older)):
         return _set_down(round, me, wanted, reins.pace[me.c])
     return _stand(me)
 

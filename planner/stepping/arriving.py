@@ -10,7 +10,7 @@ from motion.characters.dimensions import Dimensions
 from planner.round.reservations import COMMITTED, line_distance, neighbours
 from planner.round.round import PATIENT, Me, Round, Wish, biped_of, standing
 from planner.stepping import random
-from planner.stepping.beside import Place, middle_beside
+from planner.stepping.beside import Place, are_together
 from planner.stepping.field import course_down
 from planner.stepping.finding import surely
 from planner.stepping.steering import LOOK_STEPS, Onward, free_way, lengthened, room_at, step_toward, step_within
@@ -30,8 +30,6 @@ THERE, CONTENT = 0.5, 0.25
 while one of them is in its way there."""
 CROWDED, WIDEST = 32, 4.0
 """Among more than so many one's place is taken; others reach no further to it than so many of one's own half widths."""
-TOGETHER = 0.2
-"""Who has arrived brings its feet to within this share of its preferred step of being beside each other."""
 
 
 @jit_borrowing
@@ -129,8 +127,7 @@ def _is_taken(round: Round, me: Me, middle: Place, far: float, goal: Place) -> b
 def arrive(round: Round, me: Me, middle: Place) -> Wish:
     """At the last stop: the foot behind comes beside the other one, and then it stands."""
     biped, older, newer = biped_of(round, me), me.feet.older, me.feet.newer
-    x, y = middle_beside(biped, older)
-    if older.side != newer.side and hypot(x - middle[0], y - middle[1]) > TOGETHER * biped.gait.preferred_step:
+    if older.side != newer.side and not are_together(biped, older, newer):
         return surely(round, me, middle, newer.heading, newer.heading, False)
     still = standing(me, STAND_TIME)
     return Wish(still.step, still.course, still.longest, True, True)

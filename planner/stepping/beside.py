@@ -11,6 +11,8 @@ HEELS = 2.4
 """Distance of ankles that stand, in radii of shanks: they come nearer as a foot turns and rolls."""
 TOUCH = 1e-9
 """Ankles that are nearer by no more than this are apart [m]."""
+TOGETHER = 0.2
+"""Feet are together whose walker would be in one place by either, within this share of its preferred step."""
 BESIDE, ACROSS = 0.55, -0.2
 """A foot is set down so far to its own side of the other one, in step widths: beside it, and well ahead of it."""
 
@@ -43,6 +45,14 @@ def middle_of(biped: Dimensions, side: int, place: Place, heading: float) -> Pla
 def middle_beside(biped: Dimensions, foot: Foot) -> Place:
     """Middle of the walker who stands on a foot."""
     return middle_of(biped, foot.side, (foot.x, foot.y), foot.heading)
+
+
+@jit_borrowing
+def are_together(biped: Dimensions, one: Foot, other: Foot) -> bool:
+    """Whether feet are beside each other, or as nearly as shanks let them: those may be wider than a step."""
+    (x, y), (u, v) = middle_beside(biped, one), middle_beside(biped, other)
+    wider = max(HEELS * biped.leg.shank_radius - biped.gait.step_width, 0.0)
+    return hypot(x - u, y - v) <= TOGETHER * biped.gait.preferred_step + wider
 
 
 @jit_borrowing
