@@ -43,15 +43,16 @@ class Bar:
     """How much is done, as a bar that stays in its line; where that goes to a file, a line for each tenth."""
 
     def __init__(self) -> None:
-        self._told = 0
+        self._told = -1
 
     def show(self, share: float) -> None:
         """share: what is done, 0 to 1."""
         full, tenths = int(30 * share), int(10 * share)
+        bar = f"  [{'#' * full}{'.' * (30 - full)}] {share:4.0%}"
         if is_watched():
-            tell(f"\r  [{'#' * full}{'.' * (30 - full)}] {share:4.0%}", end="")
+            tell(f"\r{bar}", end="")
         elif tenths > self._told:
-            tell(f"  {tenths:3}0%")
+            tell(bar)
         self._told = tenths
 
     def end(self) -> None:
