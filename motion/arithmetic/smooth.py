@@ -17,6 +17,14 @@ def fade(s: float, end: float) -> float:
 
 
 @jit_borrowing
+def positive(x: float, soft: float) -> float:
+    """x from `soft` on, none up to -soft, and between them a parabola that is smooth at both."""
+    if x <= -soft:
+        return 0.0
+    return x if x > soft else (x + soft) ** 2 / (4 * soft)
+
+
+@jit_borrowing
 def mix(begin: float, end: float, share: float) -> float:
     """Between two numbers: the first at share 0, the second at 1."""
     return begin + share * (end - begin)

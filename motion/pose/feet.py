@@ -3,7 +3,7 @@
 import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
-from motion.arithmetic.smooth import fade, smoothstep
+from motion.arithmetic.smooth import fade, positive, smoothstep
 from motion.arithmetic.triples import Triple, dot, minus, norm
 from motion.characters.dimensions import Dimensions
 from motion.pose import legs, swing
@@ -188,10 +188,9 @@ def _keep_below(shortest: float, hip: Triple, s: float, pose: Pose, c: int, leg:
     ankle = pose.ankle[c, leg]
     x, y = ankle[0] - hip[0], ankle[1] - hip[1]
     lack = shortest * (1 - (x * x + y * y) / (UNDER_HIP * shortest) ** 2) - (hip[2] - ankle[2])
-    soft = (BENT - 1) * shortest
-    if lack > -soft:
-        calm = 1 - fade(min(s, 1 - s), FREE_ENDS)
-        _move(pose, c, leg, calm * (lack if lack > soft else (lack + soft) ** 2 / (4 * soft)), (0.0, 0.0, -1.0))
+    lower = positive(lack, (BENT - 1) * shortest)
+    if lower > 0:
+        _move(pose, c, leg, (1 - fade(min(s, 1 - s), FREE_ENDS)) * lower, (0.0, 0.0, -1.0))
 
 
 @jit_inline

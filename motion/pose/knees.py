@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.arithmetic.smooth import fade
+from motion.arithmetic.smooth import fade, positive
 from motion.arithmetic.triples import Triple, cross, dot, minus, plus, times, unit
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import LEFT, RIGHT
@@ -45,12 +45,9 @@ class Legs(NamedTuple):
 @jit_inline
 def _lack(room: float, left: Triple, away: Triple) -> float:
     """How much farther apart [m] two points have to be, by the vector between them."""
-    aside, soft = dot(away, left), SOFT * room
-    lack = room - aside
-    if lack <= -soft:
-        return 0.0
+    aside = dot(away, left)
     past = sqrt(max(dot(away, away) - aside * aside, 0.0))
-    return (lack if lack > soft else (lack + soft) ** 2 / (4 * soft)) * fade(past, BESIDE * room)
+    return positive(room - aside, SOFT * room) * fade(past, BESIDE * room)
 
 
 @jit_inline

@@ -62,7 +62,7 @@ def lay(
     if any(one.at is not None for one in given):
         _pin(steps, footprints, given, row, name)
         lay_steps(biped, ground, footprints, side, first, steps, paces)
-    end_standing(biped, ground, footprints, SUPPORTS[support], stand_after)
+    finish_steps(biped, ground, footprints, SUPPORTS[support], stand_after)
     _check(footprints, name)
     return Laid(footprints, row)
 
@@ -112,14 +112,17 @@ def lay_steps(
 def by_themselves(
     biped: Dimensions, world: WorldArrays, footprints: Footprints, side: int, first: np.ndarray, steps: np.ndarray
 ) -> np.ndarray:
-    """The speed (K,) [m/s] of the step before each, if no times were given. Leaves footprints laid for that.
+    """The speed (K,) [m/s] that the step before each would have if no times were given, NaN where none are; lays footprints.
 
     Whether a step is walked, run or leapt follows from it. Who gives one step another time means that step alone: if the times
     of the next ones followed from the given one, a dagger that is dragged would turn a run behind it into a walk at once.
     """
-    free, paces = steps.copy(), np.full(len(steps), np.nan)
+    free, paces, given = steps.copy(), np.full(len(steps), np.nan), False
     for k in range(len(steps)):
+        given |= not (isnan(free[k].time) and isnan(free[k].stance_time))
         free[k].time = free[k].stance_time = np.nan
+    if not given:
+        return paces
     lay_steps(biped, world, footprints, side, first, free, paces)
     for k in range(len(steps)):
         paces[k] = speed_before(footprints, k + 2)
@@ -127,7 +130,7 @@ def by_themselves(
 
 
 @jit
-def end_standing(biped: Dimensions, world: WorldArrays, footprints: Footprints, support: float, rest: float) -> None:
+def finish_steps(biped: Dimensions, world: WorldArrays, footprints: Footprints, support: float, rest: float) -> None:
     """Lets who has walked on the footprints stand on the last two, presses where `support` says, and lifts the swings."""
     n = len(footprints.side)
     stands = n - 1 if footprints.side[n - 1] == footprints.side[n - 2] else n - 2  # after a hop on one foot

@@ -82,7 +82,7 @@ def apart_from(biped: Dimensions, foot: Foot, place: Place, heading: float) -> P
     sign, r = 1.0 if foot.side != LEFT else -1.0, HEELS * biped.leg.shank_radius
     ox, oy = -sign * sin(heading), sign * cos(heading)
     along, square = dx * ox + dy * oy, dx * dx + dy * dy
-    if square >= r * r or along < 0:  # a place across the other foot is for `crosses` to refuse
+    if square >= r * r or along < 0:  # across the other foot: that is no place at all
         return place
     k = sqrt(along * along - square + r * r) - along
     return place[0] + k * ox, place[1] + k * oy

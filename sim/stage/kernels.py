@@ -84,7 +84,7 @@ def _laying(biped: Dimensions, world: WorldArrays, matrix: np.ndarray) -> list[t
     return [
         (laying.lay_steps, (biped, world, footprints, 0, matrix, steps, np.zeros(1))),
         (laying.by_themselves, (biped, world, footprints, 0, matrix, steps)),
-        (laying.end_standing, (biped, world, footprints, 0.0, 0.0)),
+        (laying.finish_steps, (biped, world, footprints, 0.0, 0.0)),
     ]
 
 

@@ -40,7 +40,7 @@ def test_nothing_is_left_to_compile():
         motion.solve_track,
         laying.lay_steps,
         laying.by_themselves,
-        laying.end_standing,
+        laying.finish_steps,
         posing.pose_rows,
         turning.fill_all_bones,
         turning.lay_bones,

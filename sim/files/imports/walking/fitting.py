@@ -10,7 +10,7 @@ from motion.characters.character import Character
 from motion.motion import Motion, solve
 from motion.track.curve import Curve, evaluate
 from motion.track.footprints import LEFT, STEP, Footprints, Step, outward
-from planner.script.laying import end_standing, lay_steps
+from planner.script.laying import finish_steps, lay_steps
 from sim.files.imports.trajectories.ways import Way
 from sim.files.imports.walking.course import Course, course_of
 from sim.files.imports.walking.pace import Pace
@@ -107,7 +107,7 @@ def _laid(taken: list[Tread], course: Course, character: Character, world: World
     steps["heading"] += np.where(steps["side"] == LEFT, toe_out, -toe_out)
     footprints = empty(Footprints, len(steps) + 2)
     lay_steps(biped, world, footprints, 1 - first, places, steps, np.full(len(steps), np.nan))
-    end_standing(biped, world, footprints, np.nan, REST)
+    finish_steps(biped, world, footprints, np.nan, REST)
     footprints.contact_time[:] += begin
     _let_go(footprints)
     return footprints
