@@ -63,7 +63,7 @@ def sheets(options: Any) -> int:
         raise InputError(f"contact sheets: {HINT} ({error})") from None
     if not options.scenes:
         paths.append(write_index(folder))
-    print(f"wrote {len(paths)} files to {folder.resolve()}")
+    print(f"wrote {len(paths)} file{'s' if len(paths) > 1 else ''} to {folder.resolve()}")
     return DONE
 
 
