@@ -70,9 +70,9 @@ def total_cost(problem, control):
         for end in (0, 1):
             if problem.fixed[i + end]:
                 continue
-            legs = problem.end_origin[end, :, :, i][problem.end_standing[end, :, i]]
-            limit = problem.end_reach[end, i] * problem.max_length[0]
-            e += reach_cost(control[i + end, :3], legs, limit, problem.comfort_weight)
+            for leg in np.flatnonzero(problem.end_standing[end, :, i]):
+                limit = problem.end_reach[end, leg, i] * problem.max_length[leg]
+                e += reach_cost(control[i + end, :3], problem.end_origin[end, leg, :, i][None], limit, problem.comfort_weight)
     return e
 
 

@@ -182,7 +182,7 @@ def _reach_of_leg(problem: Problem, i: int, end: int, leg: int, com: Three) -> C
     fixed, last = problem.fixed[end:], len(problem.time) - 2
     at = fixed[i], fixed[min(i + 1, last)], fixed[min(i + 2, last)], fixed[min(i + 3, last)]
     on = load(problem.end_standing, (end, leg, i)) & (lanes_of(at[0], at[1], at[2], at[3]) < 0.5)
-    limit = load(problem.end_reach, (end, i)) * problem.max_length[leg]
+    limit = load(problem.end_reach, (end, leg, i)) * problem.max_length[leg]
     return cost.reach_model(com, problems.triple(problem.end_origin, end, leg, i), on, limit, problem.comfort_weight)
 
 

@@ -208,13 +208,13 @@ def _lay_segments(footprints: Footprints, problem: Problem, time: np.ndarray, su
 
 @jit_borrowing
 def _limit_ends(biped: Dimensions, footprints: Footprints, problem: Problem, support: np.ndarray) -> None:
-    """What legs may reach in the pieces that begin with a landing, and that end with a leaving."""
+    """What a leg may reach where it lands, and where it leaves."""
     for i in range(1, len(support)):
         for leg in range(2):
             left, landed = support[i - 1, leg], support[i, leg]
             if left == landed:
                 continue
             if landed > 0:
-                problem.end_reach[0, i] = min(problem.end_reach[0, i], landing_reach(biped, footprints, landed))
+                problem.end_reach[0, leg, i] = landing_reach(biped, footprints, landed)
             if 0 <= left < len(footprints.side) - 1:
-                problem.end_reach[1, i - 1] = min(problem.end_reach[1, i - 1], leaving_reach(biped, footprints, left + 1))
+                problem.end_reach[1, leg, i - 1] = leaving_reach(biped, footprints, left + 1)

@@ -43,7 +43,7 @@ class Problem(NamedTuple):
     standing: np.ndarray  # (S, 2, M) bool
     end_origin: np.ndarray  # (2, 2, 3, M) the same as leg_origin, at the beginning and the end of the segment
     end_standing: np.ndarray  # (2, 2, M) bool
-    end_reach: np.ndarray  # (2, M) share of max_length that legs may have there
+    end_reach: np.ndarray  # (2, 2, M) share of max_length that each leg may have there
     fixed: np.ndarray  # (m + 1,) bool: control points that may not move
     nominal_length: np.ndarray  # (S, 2, M) of the standing legs [m]
     max_length: np.ndarray  # (2,) of the left and right leg [m]; infinite: reach does not count
@@ -81,7 +81,7 @@ def empty_problem(
         np.zeros((samples, 2, wide), np.bool_),
         np.zeros((2, 2, 3, wide)),
         np.zeros((2, 2, wide), np.bool_),
-        np.ones((2, wide)),
+        np.ones((2, 2, wide)),
         np.zeros(segments + 1, np.bool_),
         np.full((samples, 2, wide), nominal_length),
         np.full(2, max_length),
@@ -197,7 +197,7 @@ def reaches_beyond(problem: Problem, i: int, end: int, com: Three) -> bool:
     for leg in range(2):
         q, on = triple(problem.end_origin, end, leg, i), load(problem.end_standing, (end, leg, i))
         x, y, z = com[0] - q[0], com[1] - q[1], com[2] - q[2]
-        limit = problem.max_length[leg] * load(problem.end_reach, (end, i))
+        limit = problem.max_length[leg] * load(problem.end_reach, (end, leg, i))
         found |= bits_of(on & (x * x + y * y + z * z > limit * limit))
     return found != 0
 
@@ -209,10 +209,10 @@ def reach_cost(problem: Problem, control: np.ndarray, i: int) -> float:
     for k in range(i, min(i + LANES, len(problem.time) - 1)):
         for end in range(2):
             if not problem.fixed[k + end]:
+                share = problem.end_reach[end, :, k]
                 e += cost.reach_cost(
                     control[k + end], problem.end_origin[end, :, :, k], problem.end_standing[end, :, k],
-                    (problem.end_reach[end, k] * problem.max_length[0], problem.end_reach[end, k] * problem.max_length[1]),
-                    problem.comfort_weight,
+                    (share[0] * problem.max_length[0], share[1] * problem.max_length[1]), problem.comfort_weight,
                 )  # fmt: skip
     return e
 

@@ -33,6 +33,8 @@ SPLIT = 0.01
 FULL_FLIGHT, BRIEF = 0.12, 0.3
 """From this time [s] on a flight changes all that it does beside it; one half as long counts this share: as costs are norms, a
 flight is ballistic or not, and with less weight it comes to be so more slowly as it grows."""
+NEAR = 0.12
+"""A flight so far away [s] no longer counts."""
 PIECE = 0.45
 """Length of a piece of a long double stance, in pendulum times."""
 
@@ -98,17 +100,30 @@ def _flown_for(seconds: float, steady: bool) -> float:
 
 
 @jit_borrowing
+def _flown_next(time: np.ndarray, support: np.ndarray, i: int, way: int, steady: bool) -> float:
+    """How much of a flight comes before (way -1) or after (1) phase i.
+
+    Steady: one beyond a brief phase counts, too, the less the longer that is, or two feet that leave at once would stand
+    otherwise than two of which one leaves a moment later.
+    """
+    most, k, edge = 0.0, i + way, time[i] if way < 0 else time[i + 1]
+    while 0 <= k < len(support):
+        near = 1 - abs((time[k + 1] if way < 0 else time[k]) - edge) / NEAR
+        if near <= 0 or (k != i + way and not steady):
+            break
+        most = max(most, near * flown(time, support, k, steady))
+        k += way
+    return most
+
+
+@jit_borrowing
 def _flown_beside(footprints: Footprints, time: np.ndarray, support: np.ndarray, i: int, steady: bool) -> float:
     """The more of a flight of what is before and after phase i, also beyond the first and the last one."""
-    before, after = 0.0, 0.0
-    if i > 0:
-        before = flown(time, support, i - 1, steady)
-    elif not flies(support, 0):
+    before, after = _flown_next(time, support, i, -1, steady), _flown_next(time, support, i, 1, steady)
+    if i == 0 and not flies(support, 0):
         n = newest(footprints.contact_time, time[0] - phases.SHORTEST_PHASE)
         before = _flown_for(time[0] - _left(footprints, n), steady) if n >= 0 else 0.0
-    if i + 1 < len(support):
-        after = flown(time, support, i + 1, steady)
-    elif not flies(support, i):
+    if i + 1 == len(support) and not flies(support, i):
         n = newest(footprints.contact_time, time[-1] - phases.SHORTEST_PHASE)
         last = n + 1 >= len(footprints.side) or footprints.contact_time[n + 1] <= time[-1] + phases.SHORTEST_PHASE
         after = 0.0 if last else _flown_for(footprints.contact_time[n + 1] - max(_left(footprints, n), time[-1]), steady)
@@ -150,7 +165,7 @@ def _count_pieces(biped: Dimensions, whole: Cut, steady: bool, counts: np.ndarra
             counts[i, 0] = 1
         elif steady and not flies(support, i):
             counts[i, 0] = SINGLE if min(support[i, 0], support[i, 1]) >= 0 else 2 * SINGLE
-        elif beside[i] > 0:
+        elif beside[i] > 0 and not flies(support, i):
             counts[i, 0] = min(max(2 * pieces, SINGLE), 2 * SINGLE)
         elif phases.phase_of(support[i, 0], support[i, 1]) == phases.DOUBLE_STANCE:
             counts[i, 0] = min(max(pieces, 1), SINGLE)

@@ -137,6 +137,19 @@ def test_a_phase_of_some_milliseconds_does_not_stop_the_solver():
     assert found < 1.01 * best
 
 
+def test_a_squeezed_step_of_a_sprint_is_solved_to_its_end():
+    """Hard scenes take more iterations: cut short, they stay at several times the cost, and a drag jumps by half a metre."""
+    after = shipped("sprint", 8, stance_time=0.46)
+    found, best = (solve(after, HUMAN, end_of(after), SCENE, effort).solved.cost for effort in (newton.SCENE, newton.TIGHT))
+    assert found < 1.01 * best
+
+
+def test_a_foot_that_is_dragged_to_leave_after_the_other_one_before_a_leap_moves_the_curve_continuously():
+    """Both leave at once, or one a millisecond later: each leg reaches as far as it does by itself, and both are springs."""
+    stances = np.arange(0.184, 0.168, -0.001)
+    assert greatest_move(shipped("fig01_steps_and_a_hop", 3, stance_time=float(stance)) for stance in stances) < 0.01
+
+
 def test_a_pull_draws_the_centre_of_mass_and_lets_go_elsewhere():
     before = footprints()
     plain = solve(before, HUMAN, end_of(before), SCENE)
