@@ -28,7 +28,7 @@ AROUND = 8
 """Footprints beyond the window that are laid with it: they turn body and pelvis."""
 SAME = 1e-9
 """Contacts that differ by no more [s] are shifted alike."""
-EDIT = Effort(3, 0.3, 1e-3, 24, 1e-4)
+EDIT = Effort(3, 0.3, 1e-3, 100, 1e-4)
 """Of a window whose first guess is good: not so smooth that it would forget it."""
 
 
