@@ -26,7 +26,7 @@ from sim.files import saving
 from sim.files.recording import Recorder, load_recording
 from sim.reports.measure import measure
 from sim.stage.making import make_simulation
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from worlds.errors import InputError
 from worlds.level import LEVELS
 

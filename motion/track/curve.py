@@ -14,7 +14,7 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from motion.track.footprints import Footprints
-from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.jit import jit, jit_borrowing
 from worlds.compiled.tables import Column, Numbers, copy_row, newest, part
 
 Weights = tuple[float, float, float, float]
@@ -96,6 +96,15 @@ def evaluate(curve: Curve, t: float, com: np.ndarray, velocity: np.ndarray, acce
         com[axis] = position[0] * p0 + position[1] * v0 + position[2] * p1 + position[3] * v1
         velocity[axis] = speed[0] * p0 + speed[1] * v0 + speed[2] * p1 + speed[3] * v1
         acceleration[axis] = bend[0] * p0 + bend[1] * v0 + bend[2] * p1 + bend[3] * v1
+
+
+@jit
+def states_at(curve: Curve, times: np.ndarray) -> np.ndarray:
+    """Positions and velocities (n, 6) at times (n,) [s]."""
+    out, bend = np.empty((len(times), 6)), np.empty(3)
+    for i in range(len(times)):
+        evaluate(curve, times[i], out[i, :3], out[i, 3:], bend)
+    return out
 
 
 @jit_borrowing

@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 from motion.characters.character import Character
 from motion.com import newton, window
+from motion.editing.resolving import resolve
 from motion.motion import Motion, Pull, solve
-from motion.resolving import resolve
 from planner.script import shaping
 from planner.script.laying import Laid, lay
 from planner.script.manners import Spell, spells_of

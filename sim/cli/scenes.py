@@ -12,7 +12,7 @@ from sim.cli import agreeing
 from sim.cli.show import show
 from sim.cli.status import BAD_INPUT, DONE
 from sim.stage.cast import Cast
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from sim.view.window.choosing import maker
 from worlds import reading
 from worlds.compiled.telling import tell

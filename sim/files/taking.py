@@ -8,7 +8,7 @@ from planner.script.scene import load_scene
 from sim.files.recording import Recorder, Recording, load_recording
 from sim.files.saving import restore
 from sim.stage.cast import Cast
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from worlds.errors import InputError
 
 Told = Callable[[float], None]

@@ -14,7 +14,7 @@ import numpy as np
 from motion.arithmetic.gravity import GRAVITY
 from motion.measures.forces import friction, needed_force
 from motion.track.footprints import LEFT
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from worlds.errors import InputError
 
 ANGLES = ("hip_flexion", "knee_flexion", "ankle_dorsiflexion")

@@ -17,7 +17,7 @@ from sim.reports.cycles import ANGLES, Cycle, at, compared, cycle
 from sim.reports.measure import measure
 from sim.reports.people import Row
 from sim.reports.timings import run_from
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from worlds.world import World
 
 WALK, RUN = 0.7, 1.04

@@ -18,7 +18,7 @@ import numpy as np
 from planner.script.scene import load_scene, scene_names
 from sim.stage.cast import Cast
 from sim.stage.making import make_simulation
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from tests.crowds import streams
 
 HERE = Path(__file__).parent

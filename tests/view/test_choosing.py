@@ -3,7 +3,7 @@
 import argparse
 
 from planner.script.scene import scene_names
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from sim.view.window.app import App
 from sim.view.window.choosing import is_scene, maker, places
 from worlds.level import level_names

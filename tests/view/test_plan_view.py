@@ -7,7 +7,7 @@ import pytest
 
 from planner.script.scene import load_scene, scene_names
 from sim.stage.making import make_simulation
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from sim.view.pictures import plan_view
 from sim.view.pictures.results import Wanted
 from sim.view.window import window

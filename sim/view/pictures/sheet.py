@@ -11,7 +11,7 @@ from motion.arithmetic.rotations import yaw_of
 from motion.track.footprints import Footprints
 from planner.script.scene import load_scene, scene_names
 from sim.files import outputs
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from sim.view.graphics.quality import Quality
 from sim.view.pictures.offscreen import Picture, save_image
 

@@ -7,7 +7,7 @@ from motion.characters.character import load_character
 from planner.script.scene import load_scene, scene_names
 from sim.stage.cast import Cast
 from sim.stage.making import make_mixed, make_simulation, make_steered, make_visited
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from worlds import reading
 from worlds.level import level_names, load_level
 

@@ -8,7 +8,7 @@ from motion.arithmetic.gravity import GRAVITY
 from motion.measures.forces import demands, impulses, needed_force, supporting_forces
 from motion.pose.pose import Pose
 from planner.script.scene import load_scene, scene_names
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 
 FLAT = ("sprint", "standing_start", "stop_from_a_run", "fig15_bird_walk", "ostrich_run", "one_leg_hops", "sneak")
 

@@ -11,7 +11,7 @@ from planner.script.footprint import Footprint
 from planner.script.laying import laid
 from planner.script.scene import load_scene, scene_names
 from sim.stage.making import make_simulation
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from tests.walks import straight_walk
 
 CLOSE = 1e-4

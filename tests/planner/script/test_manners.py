@@ -10,7 +10,7 @@ from planner.script.footprint import Footprint
 from planner.script.laying import lay
 from planner.script.scene import one_track
 from planner.script.shaping import Stretch, Style, styled
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from worlds.world import World
 
 HUMAN = load_character("human")

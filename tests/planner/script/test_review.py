@@ -7,7 +7,7 @@ from motion.characters.character import load_character
 from planner.script.footprint import Footprint
 from planner.script.review import review
 from planner.script.scene import load_scene, scene_names
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from worlds.errors import InputError
 from worlds.world import River, World
 

@@ -11,7 +11,7 @@ from sim.export.skeletons.axes import y_up
 from sim.export.skeletons.bvh import SCALE, bvh_of, euler_zyx, export_bvh
 from sim.export.skeletons.glb import export_glb
 from sim.files.recording import Recorder, load_recording
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from tests.sim.export.readers import clip, moments, node, recording
 
 CLOSE = 1e-3

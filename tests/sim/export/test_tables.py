@@ -11,7 +11,7 @@ from planner.script.scene import load_scene
 from sim.export.clip.asked import Asked
 from sim.export.tables.contacts import export_array, export_contacts
 from sim.export.tables.trajectories import export_footsteps, export_sqlite, export_text
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from tests.sim.export.readers import clip, recording
 from worlds.errors import InputError
 

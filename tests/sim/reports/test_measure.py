@@ -15,8 +15,8 @@ from sim.files.recording import Recorder, Recording
 from sim.reports import literature, timings
 from sim.reports.measure import measure
 from sim.reports.measured import in_words
-from sim.stage.performance import Performance
 from sim.stage.run import run
+from sim.stage.scripted.performance import Performance
 from worlds import queries
 from worlds.errors import InputError
 

@@ -8,7 +8,7 @@ import pytest
 from planner.script.scene import load_scene, scene_names
 from sim.files.recording import Recorder
 from sim.reports.measure import measure
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from worlds.errors import InputError
 
 FAST = {"sprint", "ditch_jump", "one_leg_hops", "stop_from_a_run", "fig18_run_over_hills", "ostrich_run"}

@@ -5,7 +5,8 @@ import pytest
 
 import main
 from planner.script.scene import load_scene
-from sim.stage.performance import Performance, Rehearsal
+from sim.stage.scripted.performance import Performance
+from sim.stage.scripted.rehearsal import Rehearsal
 from worlds.errors import InputError
 
 SCENE = """
@@ -111,3 +112,29 @@ def test_who_has_no_footprints_yet_stands(path):
         track = scene.tracks[1].model_copy(update={"footprint": scene.tracks[1].footprint[:count]})
         show = Rehearsal([track], scene.world)
         assert np.isfinite(show.com()).all() and show.snapshot(0.3).contact.all()
+
+
+def test_a_dragged_timing_glides_and_is_what_is_solved_once_it_is_released():
+    scene = load_scene("one_leg_hops")
+
+    def dragged(stance):
+        given = [
+            one.model_copy(update={"stance_time": stance} if k == 1 else {}) for k, one in enumerate(scene.track.footprint)
+        ]
+        return [scene.track.model_copy(update={"footprint": tuple(given)})]
+
+    show, moments = Rehearsal(dragged(0.195), scene.world), np.linspace(0.1, 1.4, 40)
+    for stance in (0.19, 0.185):
+        before = np.array([show.com(t)[0] for t in moments])
+        show.change(dragged(stance), scene.world)
+        assert np.abs(np.array([show.com(t)[0] for t in moments]) - before).max() < 0.01
+    drawn = np.array([show.com(t)[0] for t in moments])
+    show.change(dragged(0.185), scene.world, whole=True, released=True)
+    anew = Rehearsal(dragged(0.185), scene.world)
+    assert np.array_equal(show.acts[0].motion.curve.control, anew.acts[0].motion.curve.control)
+    assert np.abs(np.array([show.com(t)[0] for t in moments]) - drawn).max() < 0.001
+    last = np.array([anew.com(t)[0] for t in moments])
+    assert np.abs(last - drawn).max() > 0.01
+    show.settle(0.1)
+    show.settle(2.0)
+    assert np.array_equal(np.array([show.com(t)[0] for t in moments]), last)

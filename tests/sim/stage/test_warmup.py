@@ -16,7 +16,7 @@ from planner.script import laying
 from planner.script.scene import load_scene
 from sim.rows import crowd, posing, rounds
 from sim.stage import kernels, warmup
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from sim.stage.simulation import Simulation
 from sim.view.bodies.figure import figure_of
 from worlds.compiled.parts import Part

@@ -32,7 +32,7 @@ from sim.files.studio.runs.grounds import tables_of
 from sim.files.studio.runs.walkers import Walker, cut, leg_share
 from sim.files.taking import opened
 from sim.stage.cast import Cast
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from worlds.compiled.tables import picked
 from worlds.errors import InputError
 from worlds.world import World

@@ -10,7 +10,7 @@ import numpy as np
 
 from motion.track.curve import Curve
 from planner.script.acting import Act
-from sim.stage.performance import Rehearsal
+from sim.stage.scripted.rehearsal import Rehearsal
 
 STEP = 1 / 30
 """Seconds between two samples."""

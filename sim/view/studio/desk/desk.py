@@ -17,7 +17,7 @@ from sim.files.studio.edits import Edit
 from sim.files.studio.history import begun, tried
 from sim.files.studio.keeping import Autosave, Opened
 from sim.files.studio.runs.walked import document_in
-from sim.stage.performance import Rehearsal
+from sim.stage.scripted.rehearsal import Rehearsal
 from worlds.errors import InputError
 
 NOTICE = 5.0
@@ -141,7 +141,7 @@ class Desk:
             name, made = self._preview
             self._preview = None
             self.history.keep(name, made)
-            self.refresh(whole=True)
+            self.refresh(whole=True, released=True)
 
     def cancel(self) -> None:
         """The edit that is shown is forgotten."""
@@ -173,7 +173,7 @@ class Desk:
         self.history.go(at)
         self.refresh(whole=True)
 
-    def refresh(self, whole: bool = False) -> None:
+    def refresh(self, whole: bool = False, released: bool = False) -> None:
         """The motion follows the document; where feet cannot do that, the last motion stays and the fault is said."""
         document = self.document
         self.track = min(self.track, len(document.tracks) - 1)
@@ -181,7 +181,7 @@ class Desk:
             world = self.show.world
             if document.head is not self._head():
                 world, self._headed = keeping.world_for(document, self.opened.path), document.head
-            self.show.change(document.tracks, world, whole and not self.dragging)
+            self.show.change(document.tracks, world, whole and not self.dragging, released)
             self.fault = ""
         except InputError as error:
             self.fault = str(error)
@@ -201,6 +201,7 @@ class Desk:
     def advance(self, seconds: float) -> None:
         """Lets wall time pass."""
         self.playing.advance(seconds, self.show.end)
+        self.show.settle(seconds)
         self.notices = [one for one in self.notices if one.until > clock.monotonic()]
         if not self.dragging:
             self.autosave.look(self.history.document, self.opened)

@@ -13,7 +13,7 @@ from planner.script.acting import Act, act
 from sim.files.studio.document import Spot, footprint_at
 from sim.files.studio.edits import Edit, Move, Set
 from sim.files.studio.history import tried
-from sim.stage.performance import Rehearsal
+from sim.stage.scripted.rehearsal import Rehearsal
 from sim.view.studio.desk.debts import COMFORT, PHYSICS, STEP, WORTH, Debts, debts_at
 from sim.view.studio.desk.desk import Desk
 from worlds.errors import InputError

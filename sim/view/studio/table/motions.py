@@ -14,7 +14,7 @@ from motion.track import phases
 from motion.track.curve import Curve
 from planner.script.acting import Act
 from planner.script.shaping import time_of
-from sim.stage.performance import Rehearsal
+from sim.stage.scripted.rehearsal import Rehearsal
 from sim.view import theme
 from sim.view.studio.table.marks import Pen, draw_line, inside, vector
 from sim.view.theme import ink

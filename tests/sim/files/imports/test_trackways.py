@@ -12,7 +12,7 @@ from sim.files.imports.trackways import trackway
 from sim.files.imports.trackways.prints import Prints, read_prints
 from sim.files.recording import Recorder
 from sim.reports.measure import measure
-from sim.stage.performance import Performance
+from sim.stage.scripted.performance import Performance
 from worlds.errors import InputError
 
 SCALE = 0.005

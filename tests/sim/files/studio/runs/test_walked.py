@@ -15,7 +15,8 @@ from sim.files.studio.keeping import world_for
 from sim.files.studio.runs import grounds, walked, walkers
 from sim.files.studio.writing import write_scene
 from sim.stage.commands import PlantTree, apply, steer
-from sim.stage.performance import Performance, Rehearsal
+from sim.stage.scripted.performance import Performance
+from sim.stage.scripted.rehearsal import Rehearsal
 from sim.stage.simulation import Simulation
 from worlds.errors import InputError
 from worlds.level import load_level

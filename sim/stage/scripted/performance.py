@@ -1,6 +1,5 @@
 """A scripted scene: all footprints are known, so whole curves are optimised at once, and time only shows them."""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -17,19 +16,11 @@ from planner.script.meeting import trodden
 from planner.script.review import review, warned
 from planner.script.scene import Scene
 from planner.script.shaping import styled
-from planner.script.track import SHAPES, completed, footprints_of
-from planner.script.track import Track as Script
+from planner.script.track import SHAPES, footprints_of
 from planner.script.turned import BoneKey, turned
 from sim.rows.footprint_log import Walked, as_arrays
 from sim.stage.cast import TICK_RATE, Cast
 from worlds.compiled.tables import picked
-from worlds.errors import InputError
-from worlds.world import World
-
-ANEW = 1 << 20
-"""By so much the number of the newest footprint grows with an edit: whoever follows the footprints asks for all of them."""
-ROOM = 1.5
-"""Rows are made for so many times what is there, so that an edit seldom needs new ones."""
 
 
 class Performance(Cast):
@@ -138,65 +129,3 @@ def room_for(acts: list[Act], share: float) -> dict[str, int]:
     """Rows and segments for acts, and so many times as many."""
     rows = max(len(one.motion.footprints.side) for one in acts)
     return {"rows": int(share * rows), "segments": int(share * max(len(one.motion.curve.time) for one in acts)) + 1}
-
-
-class Rehearsal(Performance):
-    """A performance whose scene changes. Tracks may be unfinished: who has no footprints yet stands."""
-
-    def __init__(self, tracks: Sequence[Script], world: World) -> None:
-        """Raises InputError where feet cannot do that."""
-        self.tracks, self.warnings = list(tracks), list[str]()
-        self._begin(self._acts(tracks, world, [], True), world)
-
-    def _begin(self, acts: list[Act], world: World) -> None:
-        Cast.__init__(self, world, [one.character for one in acts], 0, TICK_RATE, **room_for(acts, ROOM))
-        self.scene = Scene("scene", world, tuple(self.tracks))
-        self.show(acts)
-
-    def change(self, tracks: Sequence[Script], world: World, whole: bool = False) -> None:
-        """Takes other tracks: those that differ are solved around where they do, or as wholes. Raises InputError, and then
-        nothing has changed."""
-        same = world is self.world and not whole
-        acts = self._acts(tracks, world, self.acts if world is self.world else [], whole)
-        self.tracks = list(tracks)
-        kinds = [one.character for one in acts]
-        if not same and world is not self.world or kinds != self.characters or not self._has_room(acts):
-            self._begin(acts, world)
-        else:
-            self.show(acts)
-
-    def _acts(self, tracks: Sequence[Script], world: World, last: list[Act], whole: bool) -> list[Act]:
-        """The acts of tracks; those of tracks that are the same stay."""
-        acts = []
-        for k, track in enumerate(tracks):
-            before = last[k] if k < len(last) else None
-            if before is not None and not whole and track is self.tracks[k]:
-                acts.append(before)
-                continue
-            who = before.character if before is not None and _is_same(before.track, track) else _performer(track)
-            begun = completed(track, who, (0.5 * world.size[0], 0.5 * world.size[1]))
-            acts.append(act(begun, who, world, "the scene" if k == 0 else f"track {k}", last=None if whole else before))
-        if not acts:
-            raise InputError("a scene without tracks: add a character")
-        return acts
-
-    def _has_room(self, acts: list[Act]) -> bool:
-        rows, points = self.crowd.footprints.side.shape[1], self.crowd.committed.time.shape[1]
-        need = room_for(acts, 1.0)
-        return need["rows"] <= rows and need["segments"] < points
-
-    def show(self, acts: list[Act]) -> None:
-        """As a performance does; whoever follows the footprints is told to look anew."""
-        before = int(self.crowd.number.max(initial=0))
-        super().show(acts)
-        self.crowd.number[:] = np.maximum(self.crowd.number, before + ANEW)
-
-
-def _performer(track: Script) -> Character:
-    return styled(load_character(track.character, track.character_scale), track.style)
-
-
-def _is_same(before: Script, after: Script) -> bool:
-    """Whether the same character carries itself in the same way."""
-    names = ("character", "character_scale", "style")
-    return all(getattr(before, name) == getattr(after, name) for name in names)

@@ -6,8 +6,8 @@ import pytest
 from motion.characters.character import load_character
 from motion.com import newton
 from motion.com.window import LAYOUTS, SCENE
+from motion.editing.resolving import changed, resolve
 from motion.motion import Pull, solve
-from motion.resolving import changed, resolve
 from motion.track.curve import evaluate
 from planner.script.footprint import Footprint
 from planner.script.laying import laid

@@ -18,7 +18,7 @@ from motion.com.newton import Effort
 from motion.com.problem import Layout
 from motion.com.window import Span, optimise_track
 from motion.motion import Motion, Pull, solve, springs_of
-from motion.track.curve import Curve, acceleration_weights, evaluate
+from motion.track.curve import Curve, acceleration_weights, states_at
 from motion.track.footprints import Footprints
 from worlds.compiled.tables import picked
 
@@ -161,11 +161,9 @@ def _carried(motion: Motion, footprints: Footprints, change: Change, cut: Window
     order = np.concatenate([[True], np.diff(np.maximum.accumulate(then)) > 0]) & np.concatenate([[True], np.diff(now) > 0])
     then, now, moved = then[order], now[order], moved[order]
     times = np.unique(np.concatenate([now, np.linspace(begin, end, 8 * len(now))]))
-    control, scratch = np.empty((len(times), 6)), np.empty((3, 3))
-    for i, t in enumerate(np.interp(times, now, then)):
-        evaluate(motion.curve, t, scratch[0], scratch[1], scratch[2])
-        control[i, :3] = scratch[0] + [np.interp(times[i], now, moved[:, k]) for k in range(3)]
-    control[:, 3:] = np.gradient(control[:, :3], times, axis=0)
+    place = states_at(motion.curve, np.interp(times, now, then))[:, :3]
+    place += np.stack([np.interp(times, now, moved[:, k]) for k in range(3)], axis=1)
+    control = np.hstack([place, np.gradient(place, times, axis=0)])
     return Curve(times, control, np.full((len(times), 2), -1))
 
 
