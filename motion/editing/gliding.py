@@ -39,14 +39,16 @@ def glide(shown: Motion, solved: Motion) -> Motion:
     if seconds == inf:
         return solved
     goal = _in_short_pieces(solved.curve)
-    lag = _lag(shown, solved, goal)
-    return _lagging(solved, goal, lag, max(1 - PACE * seconds / max(_length(lag), NEAR), 0.0))
+    far = _farthest(_behind(shown, solved, goal, goal.time))
+    share = 1 - PACE * seconds / max(far, NEAR)
+    return solved if share * far < NEAR else _lagging(solved, goal, share * _lag(shown, solved, goal))
 
 
 def settle(shown: Motion, solved: Motion, seconds: float) -> Motion:
     """What is shown a while later, of a motion that is no longer dragged."""
     goal = _in_short_pieces(solved.curve)
-    return _lagging(solved, goal, _lag(shown, solved, goal), exp(-seconds / LAG))
+    lag = exp(-seconds / LAG) * (shown.curve.control - goal.control)
+    return solved if _farthest(lag[:, :3]) < NEAR else _lagging(solved, goal, lag)
 
 
 def _dragged(before: Footprints, after: Footprints) -> float:
@@ -71,27 +73,27 @@ def _in_short_pieces(curve: Curve) -> Curve:
     return Curve(time, states_at(curve, time), np.vstack([np.repeat(curve.support[:-1], count, axis=0), curve.support[-1:]]))
 
 
+def _behind(shown: Motion, solved: Motion, goal: Curve, times: np.ndarray) -> np.ndarray:
+    """How far the shown body is from the curve `goal` of the solved one (n, 3) at times of that one, contact by contact."""
+    now, then = (np.append(one.footprints.contact_time[1:], one.end) for one in (solved, shown))
+    return np.asarray(states_at(shown.curve, np.interp(times, now, then))[:, :3] - states_at(goal, times)[:, :3])
+
+
 def _lag(shown: Motion, solved: Motion, goal: Curve) -> np.ndarray:
-    """Of the shown body behind the solved one, place [m] and velocity [m/s] (n, 6), at the control points of `goal`."""
+    """The same at the control points of `goal`, with its velocity (m + 1, 6)."""
     if np.array_equal(goal.time, shown.curve.time):
         return shown.curve.control - goal.control
-    now, then = (np.append(one.footprints.contact_time[1:], one.end) for one in (solved, shown))
     before, after = np.maximum(goal.time - SPAN, goal.time[0]), np.minimum(goal.time + SPAN, goal.time[-1])
-    place, first, last = (
-        states_at(shown.curve, np.interp(times, now, then))[:, :3] - states_at(goal, times)[:, :3]
-        for times in (goal.time, before, after)
-    )
+    place, first, last = (_behind(shown, solved, goal, times) for times in (goal.time, before, after))
     lag = np.hstack([place, (last - first) / (after - before)[:, None]])
     lag[[0, -1]] = 0.0
     return lag
 
 
-def _length(lag: np.ndarray) -> float:
-    return float(np.linalg.norm(lag[:, :3], axis=1).max())
+def _farthest(place: np.ndarray) -> float:
+    return float(np.linalg.norm(place, axis=1).max())
 
 
-def _lagging(solved: Motion, goal: Curve, lag: np.ndarray, share: float) -> Motion:
-    """The solved motion, of curve `goal`, with a share of a lag; the solved one itself where that is as good as none."""
-    if share * _length(lag) < NEAR:
-        return solved
-    return replace(solved, curve=goal._replace(control=goal.control + share * lag))
+def _lagging(solved: Motion, goal: Curve, lag: np.ndarray) -> Motion:
+    """The solved motion, of curve `goal`, with a lag (m + 1, 6)."""
+    return replace(solved, curve=goal._replace(control=goal.control + lag))
