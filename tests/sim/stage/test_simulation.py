@@ -57,7 +57,7 @@ def test_rivers_are_crossed(level, character):
     assert sim.reached_goal.all()
     assert worst["stance_slide"] <= 1e-3 and worst["penetration"] <= 3e-3
     assert worst["flight_residual"] <= 0.4 and worst["mean_physics_cost"] <= 0.45
-    assert worst["overreach"] <= 1e-3
+    assert worst["overreach"] <= 1.5e-3, "less than half of what a foot tilts for"
     assert worst["force"] <= 4 and worst["friction"] <= 0.7, "no more than legs and soles give, leaps from a slow step too"
     assert worst["shank_gap"] >= -7e-3
 
