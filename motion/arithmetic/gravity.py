@@ -1,17 +1,16 @@
 """Gravity, and the two numbers that dynamic similarity is made of (Alexander 1976)."""
 
-from math import sqrt
-
 from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.lanes import Some, root
 
 GRAVITY = 9.81
 """m/s^2, along -z."""
 
 
 @jit_borrowing
-def pendulum_time(length: float) -> float:
+def pendulum_time(length: Some) -> Some:
     """sqrt(l / g) [s] of a length [m]: the unit of time of a leg."""
-    return sqrt(length / GRAVITY)
+    return root(length / GRAVITY)
 
 
 @jit_borrowing

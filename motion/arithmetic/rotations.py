@@ -3,24 +3,24 @@
 The angles are those of R = Rz(yaw) Ry(pitch) Rx(roll); a body's axes are forward, left and up. A positive pitch is nose down.
 """
 
-from math import cos, sin, sqrt
+from math import sqrt
 
 import numpy as np
 
+from motion.arithmetic.functions import turn
 from motion.arithmetic.triples import Triple
 from worlds.compiled.jit import jit_borrowing, jit_inline
+from worlds.compiled.lanes import Some
 
-Quaternion = tuple[float, float, float, float]
+Quaternion = tuple[Some, Some, Some, Some]
 Axes = tuple[Triple, Triple, Triple]
 """Forward, left and up, unit vectors in the world."""
 
 
-@jit_borrowing
-def quaternion(yaw: float, pitch: float, roll: float) -> Quaternion:
+@jit_inline
+def quaternion(yaw: Some, pitch: Some, roll: Some) -> Quaternion:
     """wxyz of a body turned by these angles [rad]."""
-    cy, sy = cos(0.5 * yaw), sin(0.5 * yaw)
-    cp, sp = cos(0.5 * pitch), sin(0.5 * pitch)
-    cr, sr = cos(0.5 * roll), sin(0.5 * roll)
+    (cy, sy), (cp, sp), (cr, sr) = turn(0.5 * yaw), turn(0.5 * pitch), turn(0.5 * roll)
     return (
         cy * cp * cr + sy * sp * sr,
         cy * cp * sr - sy * sp * cr,
@@ -29,26 +29,19 @@ def quaternion(yaw: float, pitch: float, roll: float) -> Quaternion:
     )
 
 
-@jit_borrowing
-def turned(yaw: float, pitch: float, roll: float, forward: float, left: float, up: float) -> Triple:
-    """The vector (forward, left, up) of a body turned by these angles [rad], in the world."""
-    y, z = cos(roll) * left - sin(roll) * up, sin(roll) * left + cos(roll) * up
-    x, z = cos(pitch) * forward + sin(pitch) * z, cos(pitch) * z - sin(pitch) * forward
-    return cos(yaw) * x - sin(yaw) * y, sin(yaw) * x + cos(yaw) * y, z
-
-
-@jit_borrowing
-def axes(yaw: float, pitch: float, roll: float) -> Axes:
+@jit_inline
+def axes(yaw: Some, pitch: Some, roll: Some) -> Axes:
     """The axes of a body turned by these angles [rad]."""
+    (cy, sy), (cp, sp), (cr, sr) = turn(yaw), turn(pitch), turn(roll)
     return (
-        turned(yaw, pitch, roll, 1.0, 0.0, 0.0),
-        turned(yaw, pitch, roll, 0.0, 1.0, 0.0),
-        turned(yaw, pitch, roll, 0.0, 0.0, 1.0),
+        (cy * cp, sy * cp, -sp),
+        (cy * sp * sr - sy * cr, sy * sp * sr + cy * cr, cp * sr),
+        (cy * sp * cr + sy * sr, sy * sp * cr - cy * sr, cp * cr),
     )
 
 
-@jit_borrowing
-def along(body: Axes, forward: float, left: float, up: float) -> Triple:
+@jit_inline
+def along(body: Axes, forward: Some, left: Some, up: Some) -> Triple:
     """The vector (forward, left, up) of a body with these axes, in the world."""
     f, s, u = body
     return (
@@ -56,6 +49,12 @@ def along(body: Axes, forward: float, left: float, up: float) -> Triple:
         forward * f[1] + left * s[1] + up * u[1],
         forward * f[2] + left * s[2] + up * u[2],
     )
+
+
+@jit_inline
+def turned(yaw: Some, pitch: Some, roll: Some, forward: Some, left: Some, up: Some) -> Triple:
+    """The vector (forward, left, up) of a body turned by these angles [rad], in the world."""
+    return along(axes(yaw, pitch, roll), forward, left, up)
 
 
 @jit_inline

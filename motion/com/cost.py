@@ -32,7 +32,7 @@ import numpy as np
 from motion.arithmetic.gravity import GRAVITY
 from motion.track.curve import Weights
 from worlds.compiled.jit import jit_borrowing, jit_inline
-from worlds.compiled.lanes import choose, larger, root
+from worlds.compiled.lanes import Some, choose, larger, root
 
 STRETCH = 100.0
 """Stiffness of a leg beyond full extension, in comfort weights: more keeps it shorter, and solves slower."""
@@ -43,8 +43,6 @@ CAUTION = 0.01
 _LEAST_SHARE = 1.0
 """Push [m/s^2] below which a leg's share gets no stiffer, so that it can still vanish."""
 _NEARLY_PARALLEL = 1e-9
-Some = Any
-"""A number or Lanes of them (worlds.compiled.lanes); a bool or a Mask."""
 Three = tuple[Some, Some, Some]
 Lower = tuple[Some, Some, Some, Some, Some, Some]
 """A lower triangle: 00, 10, 11, 20, 21, 22."""

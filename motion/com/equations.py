@@ -12,7 +12,7 @@ import numpy as np
 
 from motion.com import cost, springs
 from motion.com import problem as problems
-from motion.com.cost import ComfortModel, PhysicsModel, Some, Three
+from motion.com.cost import ComfortModel, PhysicsModel, Three
 from motion.com.pieces import Pieces, begin_weights, end_weights, lay_jerk, mix_all, pieces_from, weights_at
 from motion.com.problem import Problem
 from motion.track.basis import ORDER, Basis
@@ -20,7 +20,7 @@ from motion.track.curve import Weights
 from motion.track.footprints import LEFT, RIGHT
 from worlds.compiled.across import bits_of, total, total_in_turn, turned
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, lanes_of, load, root, store
+from worlds.compiled.lanes import LANES, Some, lanes_of, load, root, store
 
 BAND, WIDTH = 12, 16
 """Entries of a column from the diagonal down; with room for Lanes that begin at any of them."""

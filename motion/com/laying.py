@@ -7,18 +7,22 @@ from typing import NamedTuple
 
 import numpy as np
 
+from motion.arithmetic.functions import turn
 from motion.arithmetic.gravity import GRAVITY
 from motion.arithmetic.triples import Triple, minus
 from motion.characters.dimensions import Dimensions
 from motion.com import problem as problems
 from motion.com.problem import Layout, Problem
 from motion.track import foot, phases
-from motion.track.footprints import LEFT, Footprints
+from motion.track.footprints import Footprints
 from motion.track.heading import body_headings
 from motion.track.leg import FULL_REACH, landing_reach, leaving_reach, nominal_at
-from motion.track.pelvis import pelvis_between, pelvis_turns
+from motion.track.pelvis import pelvis_after, pelvis_turns
 from motion.track.pieces import BRIEF, flies, flown, in_pieces
+from worlds.compiled.beside.places import load_wide, store_some
+from worlds.compiled.beside.wide import WIDE
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
+from worlds.compiled.lanes import Some
 from worlds.compiled.tables import newest
 
 STRENGTH = 3.2
@@ -27,58 +31,23 @@ LOOK_BACK = 6
 """Footprints before the newest among which a standing one is looked for."""
 
 
-class Stance(NamedTuple):
-    """What laying asks of the feet: computed once for all samples."""
+class Pelvis(NamedTuple):
+    """The pelvis at the moments of m pieces: where they begin, at their S samples, where they end."""
 
-    footprints: Footprints
-    axis: np.ndarray  # (n, 3) of each footprint's sole, heel to toe
-    pelvis: np.ndarray  # (m * (S + 1) + 1, 4) cosine, sine of its heading, of its list at all beginnings, samples, the end
-
-
-class Moment(NamedTuple):
-    """A time at which feet are laid."""
-
-    t: float  # [s]
-    heading: tuple[float, float]  # cosine and sine of the pelvis's heading
-    roll: tuple[float, float]  # and of its list
-    left: int  # footprint that carries the left leg, -1 for none
-    right: int
+    time: np.ndarray  # (S + 2, M) [s]
+    yaw: np.ndarray  # (S + 2, M) the body's heading [rad]
+    heading: np.ndarray  # (2, S + 2, M) cosine and sine of the pelvis's own
+    roll: np.ndarray  # (2, S + 2, M) and of its list
 
 
-@jit
-def _stance(biped: Dimensions, footprints: Footprints, time: np.ndarray, samples: int) -> Stance:
-    many = (len(time) - 1) * (samples + 1) + 1
-    times, pelvis = np.empty(many), np.empty((many, 4))
-    _lay_times(time, samples, times)
-    body_headings(biped, footprints, times, pelvis[:, 0])
-    stance = Stance(footprints, np.empty((len(footprints.side), 3)), pelvis)
-    _lay_stance(biped, stance, pelvis_turns(biped, footprints), times)
-    return stance
+class Run(NamedTuple):
+    """Pieces all along which a leg stands on one footprint."""
 
-
-@jit_borrowing
-def _lay_times(time: np.ndarray, samples: int, times: np.ndarray) -> None:
-    """All beginnings, samples, and the end of segments between time (m + 1,)."""
-    m, k = len(time) - 1, 0
-    for i in range(m):
-        times[k] = time[i]
-        for j in range(samples):
-            times[k + 1 + j] = time[i] + (j + 0.5) / samples * (time[i + 1] - time[i])
-        k += samples + 1
-    times[k] = time[m]
-
-
-@jit_borrowing
-def _lay_stance(biped: Dimensions, stance: Stance, turns: np.ndarray, times: np.ndarray) -> None:
-    """The soles' axes, and the pelvis, where the body's heading lies, at the times."""
-    footprints, axis, pelvis = stance.footprints, stance.axis, stance.pelvis
-    for n in range(len(axis)):
-        axis[n, 0], axis[n, 1], axis[n, 2] = foot.sole_axis(footprints.heading[n], footprints.normal[n])
-    for i in range(len(times)):
-        turn, roll = pelvis_between(biped, footprints, turns, times[i])
-        yaw = pelvis[i, 0] + turn
-        pelvis[i, 0], pelvis[i, 1] = np.cos(yaw), np.sin(yaw)
-        pelvis[i, 2], pelvis[i, 3] = np.cos(roll), np.sin(roll)
+    leg: int
+    n: int  # the footprint
+    axis: Triple  # of its sole, heel to toe
+    first: int  # of the pieces
+    many: int  # WIDE at most
 
 
 @jit
@@ -87,77 +56,153 @@ def lay_samples(biped: Dimensions, footprints: Footprints, problem: Problem, sup
 
     A segment of one phase has the phase's support (m, 2) all along; the paper's segments span a step and are sampled by time.
     """
-    _lay_all(biped, _stance(biped, footprints, problem.time, problem.support_point.shape[0]), problem, support, by_step)
+    moments, m, wide = problem.support_point.shape[0] + 2, len(problem.time) - 1, len(problem.weight)
+    pelvis = Pelvis(
+        np.zeros((moments, wide)), np.zeros((moments, wide)), np.empty((2, moments, wide)), np.empty((2, moments, wide))
+    )
+    _lay_times(problem.time, pelvis.time)
+    body_headings(biped, footprints, pelvis.time[:, :m], pelvis.yaw)
+    _lay_pelvis(biped, footprints, pelvis_turns(biped, footprints), pelvis, m)
+    if by_step:
+        _lay_by_time(biped, footprints, problem, pelvis)
+    else:
+        _lay_by_phase(biped, footprints, problem, pelvis, support)
 
 
 @jit_borrowing
-def _lay_all(biped: Dimensions, stance: Stance, problem: Problem, support: np.ndarray, by_step: bool) -> None:
-    footprints, samples = stance.footprints, problem.support_point.shape[0]
-    for i in range(len(problem.time) - 1):
-        begin, end, k = problem.time[i], problem.time[i + 1], i * (samples + 1)
-        left, right = support[i, 0], support[i, 1]
-        first = max(newest(footprints.contact_time, begin) + 1 - LOOK_BACK, 0) if by_step else 0
+def _lay_times(time: np.ndarray, times: np.ndarray) -> None:
+    """The beginnings, samples and ends of segments between time (m + 1,)."""
+    samples = len(times) - 2
+    for i in range(len(time) - 1):
+        times[0, i], times[samples + 1, i] = time[i], time[i + 1]
         for j in range(samples):
-            t = begin + (j + 0.5) / samples * (end - begin)
-            if by_step:
-                left, right = phases.support_at(footprints, first, t)
-            _lay_sample(biped, stance, problem, i, j, _moment(stance, k + 1 + j, t, left, right))
-            if j == 0:
-                _lay_end(biped, stance, problem, i, 0, _moment(stance, k, begin, left, right))
-        _lay_end(biped, stance, problem, i, 1, _moment(stance, k + samples + 1, end, left, right))
+            times[1 + j, i] = time[i] + (j + 0.5) / samples * (time[i + 1] - time[i])
 
 
-@jit_inline
-def _moment(stance: Stance, k: int, t: float, left: int, right: int) -> Moment:
-    pelvis = stance.pelvis
-    return Moment(t, (pelvis[k, 0], pelvis[k, 1]), (pelvis[k, 2], pelvis[k, 3]), left, right)
+@jit_borrowing
+def _lay_pelvis(biped: Dimensions, footprints: Footprints, turns: np.ndarray, pelvis: Pelvis, m: int) -> None:
+    """Heading and list of the pelvis, WIDE pieces of one step at once. No piece spans a contact, or its pelvis is nearly so."""
+    i, n, contact, middle = 0, -1, footprints.contact_time, len(pelvis.time) // 2
+    while i < m:
+        while n + 1 < len(contact) and contact[n + 1] <= pelvis.time[middle, i]:
+            n += 1
+        until = contact[n + 1] if n + 1 < len(contact) else np.inf
+        count = 1
+        while count < WIDE and i + count < m and pelvis.time[middle, i + count] < until:
+            count += 1
+        _lay_pelvis_of(biped, footprints, n, turns, pelvis, (i, count))
+        i += count
 
 
-@jit_inline
-def _lay_sample(biped: Dimensions, stance: Stance, problem: Problem, i: int, j: int, moment: Moment) -> None:
-    """Sample j of segment i."""
-    footprints = stance.footprints
+@jit_borrowing
+def _lay_pelvis_of(
+    biped: Dimensions, footprints: Footprints, n: int, turns: np.ndarray, pelvis: Pelvis, run: tuple[int, int]
+) -> None:
+    """Of a run of pieces, from the first on so many, that follow the contact of footprint n."""
+    i, count = run
+    at, then = max(n, 0), min(max(n, 0) + 1, len(footprints.side) - 1)
+    for k in range(len(pelvis.time)):
+        by, roll = pelvis_after(
+            biped, footprints, at, load_wide(pelvis.time, (k, i)), (turns[at, 0], turns[at, 1], turns[then, 0])
+        )
+        known = 1.0 if n >= 0 else 0.0
+        (c, s), (d, z) = turn(load_wide(pelvis.yaw, (k, i)) + known * by), turn(known * roll)
+        store_some(pelvis.heading, (0, k, i), c, count)
+        store_some(pelvis.heading, (1, k, i), s, count)
+        store_some(pelvis.roll, (0, k, i), d, count)
+        store_some(pelvis.roll, (1, k, i), z, count)
+
+
+@jit_borrowing
+def _lay_by_phase(biped: Dimensions, footprints: Footprints, problem: Problem, pelvis: Pelvis, support: np.ndarray) -> None:
+    """Legs that stand on one footprint all along a piece."""
+    samples, m = problem.support_point.shape[0], len(problem.time) - 1
     for leg in range(2):
-        n = moment.left if leg == LEFT else moment.right
-        problem.standing[j, leg, i] = n >= 0
-        if n >= 0:
-            u = foot.stance_share(footprints, n, moment.t)
-            pressing = foot.pressing_at(biped, footprints, n, u)
-            _put(problem.support_point, j, leg, i, _standing_point(biped, stance, n, u, pressing, 0.0))
-            _put(problem.leg_origin, j, leg, i, _origin(biped, stance, n, leg, moment, u))
-            problem.nominal_length[j, leg, i] = nominal_at(biped, footprints, n, u)
+        i = 0
+        while i < m:
+            n, count = support[i, leg], 1
+            while count < WIDE and i + count < m and support[i + count, leg] == n:
+                count += 1
+            if n >= 0:
+                run = _run(footprints, leg, n, i, count)
+                for j in range(samples):
+                    _lay_sample(biped, footprints, problem, pelvis, run, j)
+                _lay_end(biped, footprints, problem, pelvis, run, 0)
+                _lay_end(biped, footprints, problem, pelvis, run, 1)
+            i += count
+
+
+@jit_borrowing
+def _run(footprints: Footprints, leg: int, n: int, i: int, count: int) -> Run:
+    return Run(leg, n, foot.sole_axis(footprints.heading[n], footprints.normal[n]), i, count)
+
+
+@jit_borrowing
+def _lay_by_time(biped: Dimensions, footprints: Footprints, problem: Problem, pelvis: Pelvis) -> None:
+    """Legs as they stand at each sample; at the ends of a piece as at its nearest sample."""
+    samples = problem.support_point.shape[0]
+    for i in range(len(problem.time) - 1):
+        first = max(newest(footprints.contact_time, problem.time[i]) + 1 - LOOK_BACK, 0)
+        for j in range(samples):
+            support = phases.support_at(footprints, first, pelvis.time[1 + j, i])
+            for leg in range(2):
+                n = support[leg]
+                if n >= 0:
+                    run = _run(footprints, leg, n, i, 1)
+                    _lay_sample(biped, footprints, problem, pelvis, run, j)
+                    if j == 0:
+                        _lay_end(biped, footprints, problem, pelvis, run, 0)
+                    if j == samples - 1:
+                        _lay_end(biped, footprints, problem, pelvis, run, 1)
+
+
+@jit_borrowing
+def _lay_sample(biped: Dimensions, footprints: Footprints, problem: Problem, pelvis: Pelvis, run: Run, j: int) -> None:
+    """Sample j of a run."""
+    leg, i = run.leg, run.first
+    for k in range(run.many):
+        problem.standing[j, leg, i + k] = True
+    u = foot.stance_share(footprints, run.n, load_wide(pelvis.time, (1 + j, i)))
+    pressing = foot.pressing_at(biped, footprints, run.n, u)
+    _put(problem.support_point, j, run, _standing_point(biped, footprints, run, u, pressing, 0.0))
+    _put(problem.leg_origin, j, run, _origin(biped, footprints, pelvis, run, 1 + j, u))
+    store_some(problem.nominal_length, (j, leg, i), nominal_at(biped, footprints, run.n, u), run.many)
+
+
+@jit_borrowing
+def _lay_end(biped: Dimensions, footprints: Footprints, problem: Problem, pelvis: Pelvis, run: Run, end: int) -> None:
+    """An end of the pieces of a run."""
+    for k in range(run.many):
+        problem.end_standing[end, run.leg, run.first + k] = True
+    moment = end * (len(pelvis.time) - 1)
+    u = foot.stance_share(footprints, run.n, load_wide(pelvis.time, (moment, run.first)))
+    _put(problem.end_origin, end, run, _origin(biped, footprints, pelvis, run, moment, u))
 
 
 @jit_inline
-def _lay_end(biped: Dimensions, stance: Stance, problem: Problem, i: int, end: int, moment: Moment) -> None:
-    """The legs at an end of segment i are those of its nearest sample."""
-    for leg in range(2):
-        n = moment.left if leg == LEFT else moment.right
-        problem.end_standing[end, leg, i] = n >= 0
-        if n >= 0:
-            u = foot.stance_share(stance.footprints, n, moment.t)
-            _put(problem.end_origin, end, leg, i, _origin(biped, stance, n, leg, moment, u))
+def _put(array: np.ndarray, j: int, run: Run, point: Triple) -> None:
+    store_some(array, (j, run.leg, 0, run.first), point[0], run.many)
+    store_some(array, (j, run.leg, 1, run.first), point[1], run.many)
+    store_some(array, (j, run.leg, 2, run.first), point[2], run.many)
 
 
 @jit_inline
-def _put(array: np.ndarray, j: int, leg: int, i: int, point: Triple) -> None:
-    array[j, leg, 0, i], array[j, leg, 1, i], array[j, leg, 2, i] = point
-
-
-@jit_inline
-def _standing_point(biped: Dimensions, stance: Stance, n: int, u: float, forward: float, up: float) -> Triple:
+def _standing_point(biped: Dimensions, footprints: Footprints, run: Run, u: Some, forward: Some, up: Some) -> Triple:
     """motion.track.foot.standing_point."""
-    if foot.turned_by(biped, stance.footprints, n, u) != 0.0:
-        return foot.standing_point(biped, stance.footprints, n, u, forward, up)
-    return foot.on_sole(stance.footprints.position[n], stance.axis[n], stance.footprints.normal[n], forward, up)
+    if foot.pivot(biped.reach.max_turn, footprints, run.n) != 0.0:
+        return foot.standing_point(biped, footprints, run.n, u, forward, up)
+    return foot.on_sole(footprints.position[run.n], run.axis, footprints.normal[run.n], forward, up)
 
 
 @jit_inline
-def _origin(biped: Dimensions, stance: Stance, n: int, leg: int, moment: Moment, u: float) -> Triple:
-    """Ankle of the foot on footprint n at share u of its stance (motion.track.foot.stance_ankle), minus the hip's offset."""
-    hip = foot.hip_toward(biped, leg, moment.heading, moment.roll)
-    forward, up = foot.ankle_of(biped, stance.footprints, n, u)
-    return minus(_standing_point(biped, stance, n, u, forward, up), hip)
+def _origin(biped: Dimensions, footprints: Footprints, pelvis: Pelvis, run: Run, moment: int, u: Some) -> Triple:
+    """Ankle of the foot at share u of its stance (motion.track.foot.stance_ankle), minus the hip's offset."""
+    at, heading, roll = (moment, run.first), pelvis.heading, pelvis.roll
+    hip = foot.hip_toward(
+        biped, run.leg, (load_wide(heading[0], at), load_wide(heading[1], at)), (load_wide(roll[0], at), load_wide(roll[1], at))
+    )
+    forward, up = foot.ankle_of(biped, footprints, run.n, u)
+    return minus(_standing_point(biped, footprints, run, u, forward, up), hip)
 
 
 @jit

@@ -4,11 +4,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.com.cost import Some, Three, mix
+from motion.com.cost import Three, mix
 from motion.track.basis import ORDER, Basis
 from motion.track.curve import Weights
 from worlds.compiled.jit import jit_inline
-from worlds.compiled.lanes import lanes_of, load, store
+from worlds.compiled.lanes import Some, lanes_of, load, store
 
 
 class Pieces(NamedTuple):

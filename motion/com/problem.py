@@ -3,8 +3,7 @@
     E = sum over segments of T / S * sum over S samples of (e_physics + e_comfort),   samples at (j + 1/2) T / S
 
 Everything of a sample that does not depend on the unknown control points (who stands, points of support, where the leg
-begins) is laid down once; solvers then only move control points. Segments lie side by side, the last axis of every array, so
-that LANES of them are worked on at once (worlds.compiled.lanes).
+begins) is laid down once; solvers move control points. Segments are the last axis of every array: LANES are worked on at once.
 """
 
 from typing import NamedTuple
@@ -13,12 +12,13 @@ import numpy as np
 
 from motion.arithmetic.gravity import GRAVITY
 from motion.com import cost, springs
-from motion.com.cost import ComfortModel, PhysicsModel, Some, Three, mix
+from motion.com.cost import ComfortModel, PhysicsModel, Three, mix
 from motion.track.curve import Weights, acceleration_weights, position_weights
 from motion.track.footprints import LEFT, RIGHT
 from worlds.compiled.across import bits_of, total
+from worlds.compiled.beside.wide import WIDE
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, lanes_of, load
+from worlds.compiled.lanes import LANES, Some, lanes_of, load
 
 STRENGTH_WEIGHT = 0.12
 """Of what a force is beyond the strength of the legs, squared [s^2/m]."""
@@ -35,7 +35,7 @@ class Layout(NamedTuple):
 
 
 class Problem(NamedTuple):
-    """m segments with S samples each; world frame, SI units. M = m + LANES - 1: the rest is never read as a segment."""
+    """m segments with S samples each; world frame, SI units. M = m + WIDE - 1: the rest is never read as a segment."""
 
     time: np.ndarray  # (m + 1,) of the control points [s]
     support_point: np.ndarray  # (S, 2, 3, M) point of support per foot [m]
@@ -73,7 +73,7 @@ def empty_problem(
     jerk_weight: float = 0.0,
 ) -> Problem:
     """A problem of that size with nobody standing and nothing fixed, all legs of one nominal length."""
-    wide = segments + LANES - 1
+    wide = segments + WIDE - 1
     return Problem(
         np.zeros(segments + 1),
         np.zeros((samples, 2, 3, wide)),

@@ -1,79 +1,98 @@
 """Posing what is above the legs: pelvis, chest, head, arms and tail."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from motion.arithmetic import rotations
-from motion.arithmetic.triples import Triple
+from motion.arithmetic.functions import angle, levelled, turn
+from motion.arithmetic.rotations import Axes, Quaternion
+from motion.arithmetic.triples import Triple, plus
 from motion.characters.dimensions import Dimensions
 from motion.pose import head, limbs, trunk
-from motion.pose.pose import Hips, Pose
+from motion.pose.pose import Hips
 from motion.track.curve import Track
-from motion.track.footprints import LEFT, RIGHT
 from motion.track.pelvis import weight_at
-from worlds.compiled.jit import jit_borrowing, jit_inline, stack_array
+from worlds.compiled.jit import jit_borrowing, jit_inline
+from worlds.compiled.lanes import Some
 
-_empty_past = stack_array(trunk.PAST, 3)
+
+class Upper(NamedTuple):
+    """What is above the legs."""
+
+    body: Quaternion
+    pelvis: Quaternion
+    chest: Quaternion
+    gaze: Quaternion  # of the head
+    neck: Triple
+    head: Triple
+    arms: tuple[tuple[Triple, Triple, Triple], tuple[Triple, Triple, Triple]]  # left, right: shoulder, elbow, hand
+
+
+class Carriage(NamedTuple):
+    """How the body is turned [rad]."""
+
+    yaw: Some
+    chest: Some  # its heading
+    pitch: Some
+    roll: Some
 
 
 @jit_inline
-def _leg_angle(biped: Dimensions, pose: Pose, c: int, leg: int, yaw: float) -> float:
-    """How far the leg is ahead of its hip [rad]."""
-    x, y = pose.ankle[c, leg, 0] - pose.hip[c, leg, 0], pose.ankle[c, leg, 1] - pose.hip[c, leg, 1]
-    return np.arctan((np.cos(yaw) * x + np.sin(yaw) * y) / biped.leg.nominal_length)
-
-
-@jit_inline
-def _turn(array: np.ndarray, c: int, rotation: rotations.Quaternion) -> None:
-    for i in range(4):
-        array[c, i] = rotation[i]
+def _leg_angle(biped: Dimensions, way: Triple, toward: tuple[Some, Some]) -> Some:
+    """How far a leg is ahead of its hip [rad]; way: from hip to ankle."""
+    ahead, nominal = toward[0] * way[0] + toward[1] * way[1], biped.leg.nominal_length
+    return angle(nominal, ahead)
 
 
 @jit_borrowing
-def _pose_arms(
-    biped: Dimensions, chest: rotations.Axes, angles: tuple[float, float], gait: tuple[float, float], pose: Pose, c: int
-) -> None:
-    """Arms against the legs, whose angles they are given; gait: pace, and how much they balance."""
-    for side in range(2):
-        joints = limbs.arm(biped, chest, 1 - 2 * side, angles[1 - side], gait[0], gait[1])
-        for axis in range(3):
-            pose.shoulder[c, side, axis] = pose.com[c, axis] + joints[0][axis]
-            pose.elbow[c, side, axis] = pose.com[c, axis] + joints[1][axis]
-            pose.hand[c, side, axis] = pose.com[c, axis] + joints[2][axis]
+def _arms(biped: Dimensions, com: Triple, chest: Axes, legs: tuple[Some, Some], gait: tuple[Some, Some]) -> tuple:
+    """Arms against the legs, whose angles they are given, left first; gait: pace, and how much they balance."""
+    a, b, c = limbs.arm(biped, chest, 1, legs[1], gait)
+    d, e, f = limbs.arm(biped, chest, -1, legs[0], gait)
+    return (plus(com, a), plus(com, b), plus(com, c)), (plus(com, d), plus(com, e), plus(com, f))
 
 
 @jit_borrowing
-def _pose_head(biped: Dimensions, headings: Triple, angles: Triple, thrust: Triple, pose: Pose, c: int) -> None:
-    """Neck and head, for the headings of body, chest and look, and the body's pitch, its roll and how far the look is down.
-
-    thrust: how far the head is from its middle place [m].
-    """
-    body, loose, (yaw, chest, look), (pitch, roll, down) = biped.body, 1 - biped.body.head_steady, headings, angles
-    _turn(pose.head_rotation_wxyz, c, rotations.quaternion(look, loose * pitch + down, loose * roll))
-    neck = rotations.turned(chest, pitch, roll, body.neck_forward, 0.0, body.neck_up)
+def _neck_and_head(biped: Dimensions, carriage: Carriage, looks: head.Looks, chest: Axes) -> tuple[Triple, Triple, Quaternion]:
+    """(neck from the com, head from the neck, rotation of the head)."""
+    body, loose = biped.body, 1 - biped.body.head_steady
+    pitch, roll = loose * carriage.pitch, loose * carriage.roll
     forward, up = body.head_forward - body.neck_forward, body.head_up - body.neck_up
-    above = rotations.turned(0.5 * (yaw + look), loose * pitch + 0.5 * down, loose * roll, forward, 0.0, up)
-    for axis in range(3):
-        pose.neck[c, axis] = pose.com[c, axis] + neck[axis]
-        pose.head[c, axis] = pose.neck[c, axis] + above[axis] + thrust[axis]
+    above = rotations.turned(0.5 * (carriage.yaw + looks.heading), pitch + 0.5 * looks.down, roll, forward, 0.0, up)
+    gaze = rotations.quaternion(looks.heading, pitch + looks.down, roll)
+    return rotations.along(chest, body.neck_forward, 0.0, body.neck_up), above, gaze
 
 
-@jit_inline
-def pose_body(biped: Dimensions, track: Track, hips: Hips, t: float, pose: Pose, c: int) -> None:
-    """Everything above the legs."""
-    body, past, yaw = biped.body, _empty_past(), hips.yaw
-    trunk.past_of(biped, track.curve, t, past)
-    pitch, roll = trunk.pitch_and_roll(biped, past, yaw, weight_at(track.footprints, t))
+@jit_borrowing
+def _carriage(biped: Dimensions, track: Track, past: trunk.Past, hips: Hips, apart: Some, t: Some) -> tuple[Carriage, Some]:
+    """How the body is turned, and how far the eyes look aside [rad]; apart: between the legs [rad]."""
+    pitch, roll = trunk.pitch_and_roll(biped, past, turn(hips.yaw), weight_at(track.footprints, t))
     breath, aside = trunk.idle_life(biped, past, t)
-    pitch += breath
-    angles = (_leg_angle(biped, pose, c, LEFT, yaw), _leg_angle(biped, pose, c, RIGHT, yaw))
-    apart = np.tanh(angles[0] - angles[1])
-    chest = yaw + body.chest_turn * apart
-    _turn(pose.body_rotation_wxyz, c, rotations.quaternion(yaw, pitch, roll))
-    _turn(pose.pelvis_rotation_wxyz, c, rotations.quaternion(yaw + hips.turn, 0.4 * pitch, hips.roll))
-    _turn(pose.chest_rotation_wxyz, c, rotations.quaternion(chest, pitch, roll))
-    pace = trunk.pace(biped, past, yaw)
-    look = head.looks(biped, track.footprints, yaw, pace, t)
-    thrust = head.thrust(biped, track, pose.com[c], t)
-    _pose_head(biped, (yaw, chest, look.heading + aside), (pitch, roll, look.down), thrust, pose, c)
-    _pose_arms(biped, rotations.axes(chest, pitch, roll), angles, (pace, head.on_rocks(track.footprints, t)), pose, c)
-    limbs.lay_tail(biped, track.footprints, past, pose.com[c], (yaw, pitch, roll), t, pose.tail[c])
+    chest = hips.yaw + biped.body.chest_turn * levelled(apart)
+    return Carriage(hips.yaw, chest, pitch + breath, roll), aside
+
+
+@jit_borrowing
+def pose_body(
+    biped: Dimensions, track: Track, hips: Hips, com: Triple, legs: tuple[Triple, Triple], t: Some, tail: np.ndarray, rows: Some
+) -> Upper:  # fmt: skip
+    """Everything above the legs, whose ways from hip to ankle are given; fills the rows of tail (K, TAIL + 1, 3)."""
+    body, past, toward = biped.body, trunk.past_of(biped, track.curve, com, t), turn(hips.yaw)
+    angles = (_leg_angle(biped, legs[0], toward), _leg_angle(biped, legs[1], toward))
+    carriage, aside = _carriage(biped, track, past, hips, angles[0] - angles[1], t)
+    yaw, chest, pitch, roll = carriage
+    pace, axes = trunk.pace(biped, past, toward), rotations.axes(chest, pitch, roll)
+    looks = head.looks(biped, track.footprints, yaw, pace, t)
+    neck, above, gaze = _neck_and_head(biped, carriage, head.Looks(looks.heading + aside, looks.down), axes)
+    neck, root = plus(com, neck), plus(com, rotations.turned(yaw, pitch, roll, body.tail_forward, 0.0, body.tail_up))
+    limbs.lay_tail(biped, track, past, root, (yaw, pitch), t, tail, rows)
+    return Upper(
+        rotations.quaternion(yaw, pitch, roll),
+        rotations.quaternion(yaw + hips.turn, 0.4 * pitch, hips.roll),
+        rotations.quaternion(chest, pitch, roll),
+        gaze,
+        neck,
+        plus(plus(neck, above), head.thrust(biped, track, com, t)),
+        _arms(biped, com, axes, angles, (pace, head.on_rocks(track.footprints, t))),
+    )

@@ -7,18 +7,18 @@ stand (Dagg 1977): between the holds of two steps
     place(t) = mix(com(middle of the last hold), com(middle of this one), smoothstep(x)),   x: share of the double stance
 """
 
-from math import sqrt, tanh
 from typing import NamedTuple
 
-import numpy as np
-
+from motion.arithmetic.functions import exponential, levelled, logarithm
 from motion.arithmetic.smooth import mix, smoothstep
-from motion.arithmetic.triples import Triple
+from motion.arithmetic.triples import Triple, between, minus, norm, times
 from motion.characters.dimensions import Dimensions
 from motion.track import foot, heading
-from motion.track.curve import Curve, Track, position_at
+from motion.track.curve import Track, place_at
 from motion.track.footprints import Footprints, out_of_plane
-from worlds.compiled.jit import jit_borrowing, stack_array
+from worlds.compiled.across import any_of
+from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.lanes import Some, choose, larger, smaller
 from worlds.compiled.tables import newest
 
 LOOKS_ASIDE = 1.0
@@ -38,77 +38,72 @@ THRUST = 0.6
 class Looks(NamedTuple):
     """Where the head is turned."""
 
-    heading: float  # [rad]
-    down: float  # [rad]
+    heading: Some  # [rad]
+    down: Some  # [rad]
 
 
 @jit_borrowing
-def on_rocks(footprints: Footprints, t: float) -> float:
+def on_rocks(footprints: Footprints, t: Some) -> Some:
     """How much the feet are on rocks at time t: 0 on land, 1 on rocks, smooth between contacts."""
     i, x = _step_at(footprints, t)
-    following = min(i + 1, len(footprints.side) - 1)
-    return mix(1.0 * (footprints.rock[i] >= 0), 1.0 * (footprints.rock[following] >= 0), smoothstep(x))
+    following = smaller(i + 1, len(footprints.side) - 1)
+    now, then = choose(footprints.rock[i] >= 0, 1.0, 0.0), choose(footprints.rock[following] >= 0, 1.0, 0.0)
+    return mix(now, then, smoothstep(x))
 
 
 @jit_borrowing
-def looks(biped: Dimensions, footprints: Footprints, yaw: float, pace: float, t: float) -> Looks:
+def looks(biped: Dimensions, footprints: Footprints, yaw: Some, pace: Some, t: Some) -> Looks:
     """Where the head of a walker is turned whose body has heading yaw [rad] and that pace (motion.pose.trunk)."""
     ahead = heading.mean_heading(footprints, t, 0.4 * heading.window_length(biped))
     backward = OVER_SHOULDER * smoothstep(-pace / BACKWARD)
     i, x = _step_at(footprints, t)
     care = mix(_care(biped, footprints, i + 1), _care(biped, footprints, i + 2), smoothstep(x))
-    return Looks(yaw + LOOKS_ASIDE * tanh((ahead - yaw) / LOOKS_ASIDE) + backward, LOOKS_DOWN * care)
+    return Looks(yaw + LOOKS_ASIDE * levelled((ahead - yaw) / LOOKS_ASIDE) + backward, LOOKS_DOWN * care)
 
 
 @jit_borrowing
-def _care(biped: Dimensions, footprints: Footprints, n: int) -> float:
+def _care(biped: Dimensions, footprints: Footprints, n: Some) -> Some:
     """How much footprint n, or the last one, is looked at: rocks wholly, treads by their height."""
-    n = min(n, len(footprints.side) - 1)
-    if footprints.rock[n] >= 0:
-        return 1.0
-    step = abs(out_of_plane(footprints, n)) / biped.timing.hip_height if n > 0 else 0.0
-    return smoothstep((step - CARE[0]) / (CARE[1] - CARE[0]))
+    n = smaller(n, len(footprints.side) - 1)
+    step = choose(n > 0, abs(out_of_plane(footprints, larger(n, 1))) / biped.timing.hip_height, 0.0)
+    return choose(footprints.rock[n] >= 0, 1.0, smoothstep((step - CARE[0]) / (CARE[1] - CARE[0])))
 
 
 @jit_borrowing
-def _step_at(footprints: Footprints, t: float) -> tuple[int, float]:
+def _step_at(footprints: Footprints, t: Some) -> tuple[Some, Some]:
     """(footprint that landed last, share of the time to the next contact that has passed since)."""
-    i = max(newest(footprints.contact_time, t), 0)
-    return i, min(max((t - footprints.contact_time[i]) / max(footprints.step_time[i], 1e-3), 0.0), 1.0)
+    i = larger(newest(footprints.contact_time, t), 0)
+    return i, smaller(larger((t - footprints.contact_time[i]) / larger(footprints.step_time[i], 1e-3), 0.0), 1.0)
 
 
 @jit_borrowing
-def _dart_time(footprints: Footprints, i: int) -> float:
+def _dart_time(footprints: Footprints, i: Some) -> Some:
     """How long the head darts after contact i [s]: while both feet stand."""
-    both = footprints.contact_time[i - 1] + footprints.stance_time[i - 1] - footprints.contact_time[i] if i > 0 else 0.0
-    step = max(footprints.step_time[i], 1e-3)
-    return min(max(both, DART[0] * step), DART[1] * step)
-
-
-_empty_place = stack_array(2, 3)
+    last, step = larger(i - 1, 0), larger(footprints.step_time[i], 1e-3)
+    both = footprints.contact_time[last] + footprints.stance_time[last] - footprints.contact_time[i]
+    return smaller(larger(choose(i > 0, both, 0.0), DART[0] * step), DART[1] * step)
 
 
 @jit_borrowing
-def _hold(footprints: Footprints, curve: Curve, i: int, place: np.ndarray) -> None:
-    """Where the com is in the middle of the hold after contact i, into place (3,)."""
-    begin, end = footprints.contact_time[i] + _dart_time(footprints, i), footprints.contact_time[i] + footprints.step_time[i]
-    position_at(curve, min(max(0.5 * (begin + end), curve.time[0]), curve.time[-1]), place)
-
-
-@jit_borrowing
-def thrust(biped: Dimensions, track: Track, com: np.ndarray, t: float) -> Triple:
-    """How far a bobbing head is from its middle place [m], world; com (3,) now. Who runs does not bob."""
-    if biped.body.head_bob == 0:
-        return 0.0, 0.0, 0.0
+def _hold(track: Track, i: Some) -> Triple:
+    """Where the com is in the middle of the hold after contact i."""
     footprints, curve = track
+    contact = footprints.contact_time[i]
+    middle = contact + 0.5 * (_dart_time(footprints, i) + footprints.step_time[i])
+    return place_at(curve, smaller(larger(middle, curve.time[0]), curve.time[len(curve.time) - 1]))
+
+
+@jit_borrowing
+def thrust(biped: Dimensions, track: Track, com: Triple, t: Some) -> Triple:
+    """How far a bobbing head is from its middle place [m], world; com now. Who runs does not bob."""
+    bob, footprints = biped.body.head_bob, track.footprints
+    if not any_of(bob > 0.0):
+        return 0.0 * bob, 0.0 * bob, 0.0 * bob
     i, _ = _step_at(footprints, t)
-    before, place = max(i - 1, 0), _empty_place()
-    _hold(footprints, curve, before, place[0])
-    _hold(footprints, curve, i, place[1])
+    before = larger(i - 1, 0)
     x = smoothstep((t - footprints.contact_time[i]) / _dart_time(footprints, i))
     walks = 1 - mix(foot.runs(footprints, before), foot.runs(footprints, i), x)
-    dx, dy = mix(place[0, 0], place[1, 0], x) - com[0], mix(place[0, 1], place[1, 1], x) - com[1]
-    dz, most = mix(place[0, 2], place[1, 2], x) - com[2], THRUST * biped.timing.hip_height
-    far = sqrt(dx * dx + dy * dy + dz * dz) / most
-    share = biped.body.head_bob * walks * (1 + far**6) ** (-1 / 6)  # at most `most`, and hardly less before
-    return share * dx, share * dy, share * dz
+    away = minus(between(_hold(track, before), _hold(track, i), x), com)
+    far = norm(away) / (THRUST * biped.timing.hip_height)
+    cube = far * far * far
+    return times(bob * walks * exponential(logarithm(1 + cube * cube) / -6), away)  # at most THRUST, and hardly less before

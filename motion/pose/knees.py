@@ -10,16 +10,15 @@ the joint is off its line, ahead. The least turns that do are phi_i = b_i lack /
 hardly any joint to turn: LEAST keeps that from turning far, and MOST all of them.
 """
 
-from math import cos, inf, sin, sqrt, tanh
 from typing import NamedTuple
 
-import numpy as np
-
+from motion.arithmetic.functions import levelled, turn
 from motion.arithmetic.smooth import fade, positive
-from motion.arithmetic.triples import Triple, cross, dot, minus, plus, times, unit
+from motion.arithmetic.triples import Triple, cross, dot, minus, pick, plus, times, unit
 from motion.characters.dimensions import Dimensions
-from motion.track.footprints import LEFT, RIGHT
+from worlds.compiled.across import any_of
 from worlds.compiled.jit import jit_borrowing, jit_inline
+from worlds.compiled.lanes import Some, choose, larger, root
 
 SPARE, BESIDE = 0.3, 2.0
 """Room between shanks beyond their radii, and how far before or above each other they need none, in two radii."""
@@ -33,99 +32,104 @@ MOVES, BESIDE_HOCK = (1.0, 0.65, 0.5), (0.5, 1.0, 0.5)
 """By how much of their joint's way they count to move; the same half way before a hock, at it and behind it."""
 
 
-class Legs(NamedTuple):
-    """The joints (2, 3) of both legs: LEFT, RIGHT. A leg of two links has its hock at its ankle."""
+class Shank(NamedTuple):
+    """The joints of a leg; one of two links has its hock at its ankle."""
 
-    hip: np.ndarray
-    knee: np.ndarray
-    hock: np.ndarray
-    ankle: np.ndarray
+    hip: Triple
+    knee: Triple
+    hock: Triple
+    ankle: Triple
 
 
 @jit_inline
-def _lack(room: float, left: Triple, away: Triple) -> float:
+def _lack(room: Some, left: Triple, away: Triple) -> Some:
     """How much farther apart [m] two points have to be, by the vector between them."""
     aside = dot(away, left)
-    past = sqrt(max(dot(away, away) - aside * aside, 0.0))
+    past = root(larger(dot(away, away) - aside * aside, 0.0))
     return positive(room - aside, SOFT * room) * fade(past, BESIDE * room)
 
 
 @jit_inline
-def _point(joints: np.ndarray, leg: int) -> Triple:
-    return joints[leg, 0], joints[leg, 1], joints[leg, 2]
+def _at(upper: Triple, lower: Triple, share: float) -> Triple:
+    """A point of a link."""
+    return plus(times(1 - share, upper), times(share, lower))
 
 
 @jit_inline
-def _between(upper: np.ndarray, lower: np.ndarray, leg: int, share: float) -> Triple:
-    """A point of a link."""
-    return plus(times(1 - share, _point(upper, leg)), times(share, _point(lower, leg)))
+def _below(leg: Shank, three: Some) -> tuple[Triple, Triple, Triple]:
+    """Three points of what is below the knee."""
+    return (
+        pick(three, _at(leg.knee, leg.hock, 0.5), leg.knee),
+        pick(three, leg.hock, _at(leg.knee, leg.ankle, ALONG[1])),
+        pick(three, _at(leg.hock, leg.ankle, 0.5), _at(leg.knee, leg.ankle, ALONG[2])),
+    )
 
 
 @jit_borrowing
-def _below(legs: Legs, three: bool, leg: int, k: int) -> Triple:
-    """Point k of 0, 1, 2 of what is below the knee."""
-    if not three:
-        return _between(legs.knee, legs.ankle, leg, ALONG[k])
-    return _between(legs.knee, legs.hock, leg, 0.5 + 0.5 * k) if k < 2 else _between(legs.hock, legs.ankle, leg, 0.5)
-
-
-@jit_borrowing
-def _lacking(room: float, left: Triple, legs: Legs, three: bool) -> float:
+def _lacking(room: Some, aside: Triple, left: Shank, right: Shank, three: Some) -> Some:
     """How much farther apart [m] the joints have to be."""
-    fourth, fifth, moves = 0.0, 0.0, BESIDE_HOCK if three else MOVES
+    fourth, fifth, ours, theirs = 0.0 * room, 0.0 * room, _below(left, three), _below(right, three)
     for i in range(3):
         for j in range(3):
-            lack = _lack(room, left, minus(_below(legs, three, LEFT, i), _below(legs, three, RIGHT, j)))
-            lack /= min(moves[i], moves[j])
-            fourth, fifth = fourth + lack**4, fifth + lack**5
-    return fifth / fourth if fourth > 0 else 0.0
-
-
-@jit_borrowing
-def _are_apart(room: float, left: Triple, legs: Legs) -> bool:
-    """Whether all of a leg below the knee is so far to the left of all of the other: as in nearly every step."""
-    left_most, right_most = inf, -inf
-    for joint in (legs.knee, legs.hock, legs.ankle):
-        left_most, right_most = min(left_most, dot(_point(joint, LEFT), left)), max(right_most, dot(_point(joint, RIGHT), left))
-    return left_most - right_most > (1 + SOFT) * room
+            moves = choose(three, min(BESIDE_HOCK[i], BESIDE_HOCK[j]), min(MOVES[i], MOVES[j]))
+            lack = _lack(room, aside, minus(ours[i], theirs[j])) / moves
+            square = lack * lack
+            fourth, fifth = fourth + square * square, fifth + square * square * lack
+    return choose(fourth > 0.0, fifth / fourth, 0.0)
 
 
 @jit_inline
-def _up(top: np.ndarray, ankle: np.ndarray, leg: int) -> Triple:
-    """Unit vector up the line about which a leg turns."""
-    return unit(minus(_point(top, leg), _point(ankle, leg)))
+def _most(leg: Shank, way: Triple) -> Some:
+    """How far the joints below the hip are that way, at most."""
+    return larger(larger(dot(leg.knee, way), dot(leg.hock, way)), dot(leg.ankle, way))
 
 
 @jit_inline
-def _off_line(top: np.ndarray, up: Triple, joint: np.ndarray, leg: int) -> Triple:
-    """A joint's way off that line, whose direction is `up`."""
-    way = minus(_point(joint, leg), _point(top, leg))
+def _off_line(top: Triple, up: Triple, joint: Triple) -> Triple:
+    """A joint's way off a line through `top`, whose direction is `up`."""
+    way = minus(joint, top)
     return minus(way, times(dot(way, up), up))
 
 
 @jit_inline
-def _turn(top: np.ndarray, up: Triple, joint: np.ndarray, leg: int, by: float) -> None:
-    """Turns a joint about that line by [rad], left seen from above."""
-    off = _off_line(top, up, joint, leg)
-    way = plus(times(cos(by) - 1, off), times(sin(by), cross(up, off)))
-    for k in range(3):
-        joint[leg, k] += way[k]
+def _turned(top: Triple, up: Triple, joint: Triple, by: Some) -> Triple:
+    """A joint that is turned about that line by [rad], left seen from above."""
+    off, (c, s) = _off_line(top, up, joint), turn(by)
+    return plus(joint, plus(times(c - 1, off), times(s, cross(up, off))))
 
 
 @jit_borrowing
-def keep_apart(biped: Dimensions, yaw: float, legs: Legs) -> None:
-    """Moves the knees, or the hocks of three links, of a body that heads `yaw` [rad] as far as they need."""
-    room, left = 2 * (1 + SPARE) * biped.leg.shank_radius, (-sin(yaw), cos(yaw), 0.0)
-    if _are_apart(room, left, legs):
-        return
-    three = biped.leg.metatarsus > 0
-    lack = _lacking(room, left, legs, three)
-    if lack == 0:
-        return
-    top, bends = (legs.knee, legs.hock) if three else (legs.hip, legs.knee)
-    ups = (_up(top, legs.ankle, LEFT), _up(top, legs.ankle, RIGHT))
-    b_l = dot(cross(ups[LEFT], _off_line(top, ups[LEFT], bends, LEFT)), left)
-    b_r = dot(cross(ups[RIGHT], _off_line(top, ups[RIGHT], bends, RIGHT)), left)
-    share = lack / (b_l * b_l + b_r * b_r + (LEAST * biped.leg.nominal_length) ** 2)
-    for leg, turn in ((LEFT, b_l * share), (RIGHT, -b_r * share)):
-        _turn(top, ups[leg], bends, leg, MOST * tanh(turn / MOST))
+def keep_apart(biped: Dimensions, yaw: Some, left: Shank, right: Shank) -> tuple[Shank, Shank]:
+    """The legs of a body that heads `yaw` [rad], their knees, or the hocks of three links, as far out as they need."""
+    room, (c, s) = 2 * (1 + SPARE) * biped.leg.shank_radius, turn(yaw)
+    aside = (-s, c, 0.0 * s)
+    if not any_of(-_most(left, times(-1.0, aside)) - _most(right, aside) <= (1 + SOFT) * room):  # nearly every step
+        return left, right
+    three = biped.leg.metatarsus > 0.0
+    lack = _lacking(room, aside, left, right, three)
+    if not any_of(lack > 0.0):
+        return left, right
+    return _parted(biped, lack, aside, left, right)
+
+
+@jit_borrowing
+def _parted(biped: Dimensions, lack: Some, aside: Triple, left: Shank, right: Shank) -> tuple[Shank, Shank]:
+    """The legs farther apart by so much [m]."""
+    three = biped.leg.metatarsus > 0.0
+    top_l, top_r = pick(three, left.knee, left.hip), pick(three, right.knee, right.hip)
+    bend_l, bend_r = pick(three, left.hock, left.knee), pick(three, right.hock, right.knee)
+    up_l, up_r = unit(minus(top_l, left.ankle)), unit(minus(top_r, right.ankle))
+    b_l = dot(cross(up_l, _off_line(top_l, up_l, bend_l)), aside)
+    b_r = dot(cross(up_r, _off_line(top_r, up_r, bend_r)), aside)
+    least = LEAST * biped.leg.nominal_length
+    share = lack / (b_l * b_l + b_r * b_r + least * least)
+    bend_l = _turned(top_l, up_l, bend_l, MOST * levelled(b_l * share / MOST))
+    bend_r = _turned(top_r, up_r, bend_r, MOST * levelled(-b_r * share / MOST))
+    return _bent(left, three, lack > 0.0, bend_l), _bent(right, three, lack > 0.0, bend_r)
+
+
+@jit_inline
+def _bent(leg: Shank, three: Some, turns: Some, joint: Triple) -> Shank:
+    """A leg whose knee, or hock of three links, is that joint, if it turns."""
+    knee = pick(turns, pick(three, leg.knee, joint), leg.knee)
+    return Shank(leg.hip, knee, pick(turns, pick(three, joint, leg.hock), leg.hock), leg.ankle)

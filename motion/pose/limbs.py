@@ -1,17 +1,19 @@
 """Arms that swing against the legs, a tail that lags behind the body, a neck's links: functions of the pose and the past."""
 
-from math import cos, exp, log, sin, tanh
-
 import numpy as np
 
+from motion.arithmetic.functions import exponential, levelled, logarithm, turn
 from motion.arithmetic.gravity import GRAVITY
-from motion.arithmetic.rotations import Axes, along, turned
-from motion.arithmetic.triples import Triple
+from motion.arithmetic.rotations import Axes, along
+from motion.arithmetic.triples import Triple, plus
 from motion.characters.dimensions import Dimensions
 from motion.pose import trunk
 from motion.track import heading
-from motion.track.footprints import Footprints
+from motion.track.curve import Track
+from worlds.compiled.across import any_of
+from worlds.compiled.beside.places import put
 from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.lanes import Some
 
 TAIL = 6
 """Pieces of a tail."""
@@ -44,64 +46,67 @@ def neck_links(biped: Dimensions) -> tuple[Triple, Triple]:
 
 
 @jit_borrowing
-def arm(
-    biped: Dimensions, chest: Axes, side: int, leg_angle: float, pace: float, balance: float
-) -> tuple[Triple, Triple, Triple]:
+def arm(biped: Dimensions, chest: Axes, side: int, leg_angle: Some, gait: tuple[Some, Some]) -> tuple[Triple, Triple, Triple]:
     """(shoulder, elbow, hand), from the com, of the arm on `side` (1 left, -1 right).
 
-    leg_angle [rad] of the other side's leg, forward of the hip; pace as trunk.pace; balance: 1 on rocks, where
+    leg_angle [rad] of the other side's leg, forward of the hip; gait: pace as trunk.pace, and balance, 1 on rocks, where
     arms are held out; chest: its axes.
     """
-    body = biped.body
+    body, (pace, balance) = biped.body, gait
     shoulder = (body.shoulder_forward, side * body.shoulder_side, body.shoulder_up)
-    if body.upper_arm + body.forearm == 0:
-        there = along(chest, shoulder[0], shoulder[1], shoulder[2])
+    there = along(chest, shoulder[0], shoulder[1], shoulder[2])
+    if not any_of(body.upper_arm + body.forearm > 0.0):
         return there, there, there
     swing = body.arm_swing * leg_angle * (1 - LESS_SWING * balance)
-    running = 0.5 + 0.5 * tanh(4 * (pace - 0.7))
-    forward = BENDS_WITHIN * log(1 + exp(swing / BENDS_WITHIN))  # as max(swing, 0), but smooth
+    running = 0.5 + 0.5 * levelled(4 * (pace - 0.7))
+    forward = BENDS_WITHIN * logarithm(1 + exponential(swing / BENDS_WITHIN))  # as max(swing, 0), but smooth
     bend = body.elbow_bend + running * RUNNERS_BEND + BENDS * forward
     out, inward = OUTWARD + running * ELBOWS_OUT + BALANCES * balance, BALANCES * balance - RUNNERS_INWARD * running
-    elbow = (
-        shoulder[0] + body.upper_arm * sin(swing) * cos(out),
-        shoulder[1] + body.upper_arm * side * sin(out),
-        shoulder[2] - body.upper_arm * cos(out) * cos(swing),
-    )
-    hand = (
-        elbow[0] + body.forearm * sin(swing + bend) * cos(inward),
-        elbow[1] + body.forearm * side * sin(inward),
-        elbow[2] - body.forearm * cos(swing + bend) * cos(inward),
-    )
-    return (
-        along(chest, shoulder[0], shoulder[1], shoulder[2]),
-        along(chest, elbow[0], elbow[1], elbow[2]),
-        along(chest, hand[0], hand[1], hand[2]),
-    )
+    elbow = plus(shoulder, _link(body.upper_arm, side, turn(swing), turn(out)))
+    hand = plus(elbow, _link(body.forearm, side, turn(swing + bend), turn(inward)))
+    return there, along(chest, elbow[0], elbow[1], elbow[2]), along(chest, hand[0], hand[1], hand[2])
+
+
+@jit_borrowing
+def _link(length: Some, side: int, swing: tuple[Some, Some], out: tuple[Some, Some]) -> Triple:
+    """The way along a link that has swung forward and outward by angles of these cosines and sines, of a body."""
+    return length * swing[1] * out[0], length * side * out[1], -length * out[0] * swing[0]
 
 
 @jit_borrowing
 def lay_tail(
-    biped: Dimensions, footprints: Footprints, past: np.ndarray, com: np.ndarray, angles: Triple, t: float, tail: np.ndarray
-) -> None:
-    """Fills tail (TAIL + 1, 3), root first, world: piece k follows what the body did k + 1 delays ago.
+    biped: Dimensions, track: Track, past: trunk.Past, root: Triple, angles: tuple[Some, Some], t: Some, tail: np.ndarray,
+    rows: Some,
+) -> None:  # fmt: skip
+    """Fills tail (K, TAIL + 1, 3) of the rows, root first, world: piece k follows what the body did k + 1 delays ago.
 
-    angles: the body's yaw, pitch and roll [rad].
+    root: where it begins; angles: the body's yaw and pitch [rad].
     """
-    body, (yaw, pitch, roll) = biped.body, angles
-    x, y, z = turned(yaw, pitch, roll, body.tail_forward, 0.0, body.tail_up)
-    tail[0, 0], tail[0, 1], tail[0, 2] = com[0] + x, com[1] + y, com[2] + z
-    if body.tail_length == 0:
-        for k in range(1, TAIL + 1):
-            tail[k, 0], tail[k, 1], tail[k, 2] = tail[0, 0], tail[0, 1], tail[0, 2]
-        return
-    piece, step = body.tail_length / TAIL, trunk.delay(biped)
+    body, (yaw, pitch), place = biped.body, angles, root
+    _put_place(tail, rows, 0, place)
+    step, moving = trunk.delay(biped), any_of(body.tail_length > 0.0)
     for k in range(TAIL):
-        then = heading.body_heading(biped, footprints, t - (k + 1) * step)
-        ax, ay, az = trunk.trend(biped, past, k)
-        left = cos(then) * ay - sin(then) * ax
-        share = body.tail_sway * (k + 1) / TAIL
-        bend = yaw + body.tail_sway * (then - yaw) + WHIP * share * MOST_WHIP * tanh(left / (2.0 * MOST_WHIP))
-        rise = body.tail_rise - 0.5 * pitch - FLAP * share * tanh(az / GRAVITY)
-        tail[k + 1, 0] = tail[k, 0] - piece * cos(rise) * cos(bend)
-        tail[k + 1, 1] = tail[k, 1] - piece * cos(rise) * sin(bend)
-        tail[k + 1, 2] = tail[k, 2] + piece * sin(rise)
+        if moving:
+            place = plus(place, _piece(biped, track, past, (yaw, pitch), t - (k + 1) * step, (k + 1) / TAIL))
+            past = trunk.Past(past.before, past.long_before, trunk.place_before(biped, track.curve, t, k + 3))
+        _put_place(tail, rows, k + 1, place)
+
+
+@jit_borrowing
+def _put_place(array: np.ndarray, rows: Some, k: int, place: Triple) -> None:
+    put(array, rows, (k, 0), place[0])
+    put(array, rows, (k, 1), place[1])
+    put(array, rows, (k, 2), place[2])
+
+
+@jit_borrowing
+def _piece(biped: Dimensions, track: Track, past: trunk.Past, angles: tuple[Some, Some], then: Some, along: float) -> Triple:
+    """The way along a piece of the tail, that share along it, which follows what the body did then."""
+    body, (yaw, pitch) = biped.body, angles
+    length, headed = body.tail_length / TAIL, heading.body_heading(biped, track.footprints, then)
+    x, y, z = trunk.trend(biped, past)
+    c, s = turn(headed)
+    share = body.tail_sway * along
+    bend = yaw + body.tail_sway * (headed - yaw) + WHIP * share * MOST_WHIP * levelled((c * y - s * x) / (2.0 * MOST_WHIP))
+    (c, s), (d, e) = turn(bend), turn(body.tail_rise - 0.5 * pitch - FLAP * share * levelled(z / GRAVITY))
+    return -length * d * c, -length * d * s, length * e

@@ -7,6 +7,7 @@ import numpy as np
 from motion.arithmetic.triples import Triple
 from motion.pose.limbs import TAIL
 from worlds.compiled.jit import jit_inline
+from worlds.compiled.lanes import Some
 from worlds.compiled.tables import Column, Integers, Numbers, Quaternions, Vectors, empty
 
 Joints = Annotated[np.ndarray, Column(shape=(2, 3))]
@@ -16,9 +17,9 @@ Joints = Annotated[np.ndarray, Column(shape=(2, 3))]
 class Hips(NamedTuple):
     """How the body above the legs is turned [rad]."""
 
-    yaw: float  # the body's heading
-    turn: float  # of the pelvis against it (motion.track.pelvis)
-    roll: float  # its list
+    yaw: Some  # the body's heading
+    turn: Some  # of the pelvis against it (motion.track.pelvis)
+    roll: Some  # its list
 
 
 class Pose(NamedTuple):

@@ -15,15 +15,17 @@ bows outward: a left foot goes by on the left, a right foot on the right, as on 
 is in its way there.
 """
 
-from math import asin, cos, sin, sqrt
 from typing import NamedTuple
 
-from motion.arithmetic.smooth import fade, smoothstep
-from motion.arithmetic.triples import Triple
+from motion.arithmetic.functions import arc_sine, power, turn
+from motion.arithmetic.smooth import fade, mix, smoothstep
+from motion.arithmetic.triples import Triple, between, entries, plus, unit
 from motion.characters.dimensions import Dimensions
 from motion.track import foot
 from motion.track.footprints import LEFT, Footprints
+from worlds.compiled.across import any_of
 from worlds.compiled.jit import jit_borrowing, jit_inline
+from worlds.compiled.lanes import Some, choose, larger, root, smaller
 
 HOLD, EDGE_HOLD = 0.0, 0.15
 """Share of the swing, at either end, in which the foot goes only up or down: on smooth ways, and over edges."""
@@ -54,69 +56,66 @@ TOES_UP = 0.6
 
 
 class Sole(NamedTuple):
-    """Where a swinging sole is."""
+    """Where a sole is, standing or swinging."""
 
     ball: Triple
-    heading: float  # [rad]
+    heading: Some  # [rad]
+    axis: Triple  # unit vector along it, from heel to toe
     normal: Triple
-    pitch: float  # of the foot about its ball, heel up [rad]
-    flex: float  # of the toes against it [rad]
+    pitch: Some  # of the foot about its ball, heel up [rad]
+    flex: Some  # of the toes against it [rad]
 
 
 @jit_borrowing
-def progress(s: float, hold: float, run: float = 0.0) -> float:
+def progress(s: Some, hold: Some, run: Some = 0.0) -> Some:
     """Share of the way at share s of the swing: none for the first and last `hold`, at rest at both ends; later at a `run`."""
-    x = min(max((s - hold) / (ARRIVED - 2 * hold), 0.0), 1.0)
-    return smoothstep(x ** (LATE_WALK + run * (LATE_RUN - LATE_WALK)))
+    x = smaller(larger((s - hold) / (ARRIVED - 2 * hold), 0.0), 1.0)
+    return smoothstep(power(x, mix(LATE_WALK, LATE_RUN, run)))
 
 
-@jit_borrowing
-def bump(s: float) -> float:
+@jit_inline
+def bump(s: Some) -> Some:
     """Share of the lift: 16 s^2 (1 - s)^2, 1 in the middle."""
     return 16 * s * s * (1 - s) * (1 - s)
 
 
 @jit_borrowing
-def swing_time(footprints: Footprints, before: int, after: int) -> float:
+def swing_time(footprints: Footprints, before: Some, after: Some) -> Some:
     """How long the foot is in the air between two of its footprints [s]."""
     return footprints.contact_time[after] - footprints.contact_time[before] - footprints.stance_time[before]
 
 
 @jit_inline
-def toes_up(footprints: Footprints, before: int, after: int, s: float) -> float:
+def toes_up(footprints: Footprints, before: Some, after: Some, s: Some) -> Some:
     """Pitch, toes up about the heel [rad], or below 0 heel up about the ball, at share s of a swing: a cubic from rest to the
     landing's angle and rate."""
-    if footprints.strike[after] == 0.0 or s <= TOES_UP:
-        return 0.0
     span = 1 - TOES_UP
-    x, falling = (s - TOES_UP) / span, span * swing_time(footprints, before, after) * foot.strike_rate(footprints, after)
-    return footprints.strike[after] * smoothstep(x) + falling * x * x * (1 - x)
+    x, falling = larger((s - TOES_UP) / span, 0.0), span * swing_time(footprints, before, after)
+    return footprints.strike[after] * smoothstep(x) + falling * foot.strike_rate(footprints, after) * x * x * (1 - x)
 
 
 @jit_inline
-def heel_up(biped: Dimensions, footprints: Footprints, before: int, after: int, s: float) -> float:
+def heel_up(biped: Dimensions, footprints: Footprints, before: Some, after: Some, s: Some) -> Some:
     """Pitch, heel up about the ball [rad], at share s of a swing: a cubic from the leaving's angle and rate to rest."""
     time, left_with = swing_time(footprints, before, after), foot.leaving_angle(biped, footprints, before)
     run = foot.runs(footprints, before)
-    end = min(PITCH_WALK + run * (PITCH_RUN - PITCH_WALK), PITCH_STANCES * footprints.stance_time[before] / time)
+    end = smaller(mix(PITCH_WALK, PITCH_RUN, run), PITCH_STANCES * footprints.stance_time[before] / time)
     height = footprints.position[after, 2] - footprints.position[before, 2]
     end *= 1 - LEVELS * smoothstep(abs(height) / (HIGH_STEP * biped.leg.nominal_length))
-    if left_with == 0.0 or s >= end:
-        return 0.0
-    x = s / end
+    x = smaller(s / end, 1.0)
     folded = left_with * (fade(x, 1.0) + KICK * run * bump(x))
     return folded + end * time * foot.leaving_rate(biped, footprints, before) * x * (1 - x) * (1 - x)
 
 
 @jit_borrowing
-def share_at(gone: float, hold: float, run: float) -> float:
+def share_at(gone: Some, hold: Some, run: Some) -> Some:
     """Share s of the swing at which progress(s, hold, run) is `gone`."""
-    x = 0.5 - sin(asin(min(max(1 - 2 * gone, -1.0), 1.0)) / 3)
-    return hold + (ARRIVED - 2 * hold) * max(x, 0.0) ** (1 / (LATE_WALK + run * (LATE_RUN - LATE_WALK)))
+    _, sine = turn(arc_sine(smaller(larger(1 - 2 * gone, -1.0), 1.0)) / 3)
+    return hold + (ARRIVED - 2 * hold) * power(0.5 - sine, 1 / mix(LATE_WALK, LATE_RUN, run))
 
 
 @jit_borrowing
-def room_beside(biped: Dimensions, run: float) -> float:
+def room_beside(biped: Dimensions, run: Some) -> Some:
     """How far [m] a swinging foot's middle keeps from that of the other foot when it passes it: both shanks and
     a sole, as a bent leg leans inward. A runner's foot passes high, where the other leg is on its way out to its hip."""
     return (biped.foot.width + 2 * biped.leg.shank_radius) * (1 - run * (1 - HIGH_UP))
@@ -124,96 +123,87 @@ def room_beside(biped: Dimensions, run: float) -> float:
 
 @jit_borrowing
 def outward(
-    biped: Dimensions, footprints: Footprints, before: int, after: int, start: Triple, goal: Triple
-) -> tuple[float, float]:
+    biped: Dimensions, footprints: Footprints, before: Some, after: Some, start: Triple, goal: Triple
+) -> tuple[Some, Some]:
     """Sideways offset (x, y) [m] in the middle of a swing, so that it keeps its room where it passes the other foot.
 
     That foot is the one that landed in between, whether it still stands or not.
     """
-    if after - 1 == before:
-        return 0.0, 0.0
-    other, yaw = footprints.position[after - 1], 0.5 * (footprints.heading[before] + footprints.heading[after])
-    run = foot.runs(footprints, before)
+    between_them = larger(after - 1, 0)
+    other, yaw = footprints.position[between_them], 0.5 * (footprints.heading[before] + footprints.heading[after])
+    run, share = foot.runs(footprints, before), choose(between_them == before, 0.0, footprints.bow[after])
     x, y = bow(biped, start, goal, (other[0], other[1]), yaw, footprints.side[after], footprints.hold[after], run)
-    return footprints.bow[after] * x, footprints.bow[after] * y
+    return share * x, share * y
 
 
 @jit_borrowing
 def bow(
-    biped: Dimensions, start: Triple, goal: Triple, other: tuple[float, float], yaw: float, which: int, hold: float, run: float
-) -> tuple[float, float]:  # fmt: skip
+    biped: Dimensions, start: Triple, goal: Triple, other: tuple[Some, Some], yaw: Some, which: Some, hold: Some, run: Some
+) -> tuple[Some, Some]:  # fmt: skip
     """That offset for foot `which` on its way from start to goal, heading `yaw` [rad], past the other foot's place."""
     dx, dy = goal[0] - start[0], goal[1] - start[1]
     length2 = dx * dx + dy * dy
-    if length2 < 1e-6:
-        return 0.0, 0.0
-    u = ((other[0] - start[0]) * dx + (other[1] - start[1]) * dy) / length2
-    if u <= 0 or u >= 1:
-        return 0.0, 0.0
-    length = sqrt(length2)
-    to_left = ((other[0] - start[0]) * dy - (other[1] - start[1]) * dx) / length
-    ahead = (dx * cos(yaw) + dy * sin(yaw)) / length
-    side = 1.0 if (which == LEFT) == (ahead > 0) else -1.0
-    if abs(ahead) < SIDEWAYS:
-        side = 1.0 if to_left > 0 else -1.0
-    lack = max(room_beside(biped, run) - side * to_left, 0.0)
-    ends = min(1.0, 4 * u, 4 * (1 - u))
-    amount = side * min(lack * ends, MOST_ROOM * length) / max(bump(share_at(u, hold, run)), 0.3)
+    length = root(larger(length2, 1e-6))
+    ox, oy = other[0] - start[0], other[1] - start[1]
+    u = (ox * dx + oy * dy) / (length * length)
+    to_left = (ox * dy - oy * dx) / length
+    c, s = turn(yaw)
+    ahead = (dx * c + dy * s) / length
+    own = choose(which == LEFT, ahead, -ahead) > 0
+    side = choose(abs(ahead) < SIDEWAYS, choose(to_left > 0, 1.0, -1.0), choose(own, 1.0, -1.0))
+    ends = choose(length2 < 1e-6, 0.0, smaller(1.0, smaller(4 * u, 4 * (1 - u))))
+    lack = larger(room_beside(biped, run) - side * to_left, 0.0) * larger(ends, 0.0)
+    if not any_of(lack > 0.0):  # mostly
+        return 0.0 * lack, 0.0 * lack
+    amount = side * smaller(lack, MOST_ROOM * length) / larger(bump(share_at(u, hold, run)), 0.3)
     return -amount * dy / length, amount * dx / length
 
 
 @jit_inline
-def _toss(biped: Dimensions, footprints: Footprints, before: int, s: float) -> float:
+def _toss(biped: Dimensions, footprints: Footprints, before: Some, s: Some) -> Some:
     """How much higher [m] the foot goes early in its swing, thrown up by its leaving, before the toes pass near the ground."""
-    if s >= TOSS_ENDS:
-        return 0.0
-    rolled = max(2 * footprints.roll[before, 1] - 1, 0.0) * (1 - foot.runs(footprints, before))
-    return TOSS * rolled * biped.foot.heel_off_angle * biped.foot.length * bump(s / TOSS_ENDS)
+    rolled = larger(2 * footprints.roll[before, 1] - 1, 0.0) * (1 - foot.runs(footprints, before))
+    return TOSS * rolled * biped.foot.heel_off_angle * biped.foot.length * bump(smaller(s / TOSS_ENDS, 1.0))
 
 
 @jit_inline
-def sole_at(biped: Dimensions, footprints: Footprints, before: int, after: int, s: float) -> Sole:
+def sole_at(biped: Dimensions, footprints: Footprints, before: Some, after: Some, s: Some) -> Sole:
     """Where the sole is at share s of the swing from footprint `before` to `after`."""
     start = foot.along_sole(footprints, before, biped.foot.ball_forward, 0.0)
     goal = foot.along_sole(footprints, after, biped.foot.ball_forward, 0.0)
-    gone = progress(s, footprints.hold[after], foot.runs(footprints, before))
+    gone, rise = progress(s, footprints.hold[after], foot.runs(footprints, before)), bump(s)
     ox, oy = outward(biped, footprints, before, after, start, goal)
-    rise = bump(s)
-    ball = (
-        start[0] + gone * (goal[0] - start[0]) + rise * ox,
-        start[1] + gone * (goal[1] - start[1]) + rise * oy,
-        start[2] + gone * (goal[2] - start[2]) + footprints.lift[after] * rise + _toss(biped, footprints, before, s),
-    )
+    aside = (rise * ox, rise * oy, footprints.lift[after] * rise + _toss(biped, footprints, before, s))
     leaving = footprints.heading[before] + foot.pivot(biped.reach.max_turn, footprints, before)
-    heading = leaving + gone * (footprints.heading[after] - leaving)
-    normal = _normal_between(footprints, before, after, gone)
+    heading = mix(leaving, footprints.heading[after], gone)
+    normal = unit(between(entries(footprints.normal[before]), entries(footprints.normal[after]), gone))
     pitch, up = heel_up(biped, footprints, before, after, s), toes_up(footprints, before, after, s)
     flex = pitch * fade(s, FLEX_FADE)
-    ball = _turned(biped, ball, heading, normal, pitch - flex, max(up, 0.0))
-    return Sole(ball, heading, normal, pitch - up, flex + max(-up, 0.0))
+    ball = plus(between(start, goal, gone), aside)
+    return turned_sole(biped, Sole(ball, heading, ball, normal, pitch - up, flex + larger(-up, 0.0)), pitch - flex, up)
 
 
 @jit_inline
-def _normal_between(footprints: Footprints, before: int, after: int, gone: float) -> Triple:
-    """The sole's normal at a share of the way."""
-    x = footprints.normal[before, 0] + gone * (footprints.normal[after, 0] - footprints.normal[before, 0])
-    y = footprints.normal[before, 1] + gone * (footprints.normal[after, 1] - footprints.normal[before, 1])
-    z = footprints.normal[before, 2] + gone * (footprints.normal[after, 2] - footprints.normal[before, 2])
-    length = (x * x + y * y + z * z) ** 0.5
-    return x / length, y / length, z / length
+def standing_sole(biped: Dimensions, footprints: Footprints, n: Some, u: Some) -> Sole:
+    """Where the sole is at share u of the stance on footprint n (motion.track.foot)."""
+    ball = foot.along_sole(footprints, n, biped.foot.ball_forward, 0.0)
+    heading = footprints.heading[n] + foot.turned_by(biped, footprints, n, u)
+    up, pitch = larger(foot.strike_pitch(footprints, n, u), 0.0), foot.heel_up(biped, footprints, n, u)
+    return turned_sole(biped, Sole(ball, heading, ball, entries(footprints.normal[n]), pitch - up, pitch), 0.0 * up, up)
 
 
 @jit_inline
-def _turned(biped: Dimensions, ball: Triple, heading: float, normal: Triple, toes: float, up: float) -> Triple:
-    """The ball of a foot whose toes point down by `toes` [rad] about their tip, and which is turned by `up` about its heel."""
+def turned_sole(biped: Dimensions, sole: Sole, toes: Some, up: Some) -> Sole:
+    """A sole, with its axis, that is turned toes down by `toes` [rad] about their tip, and toes up by `up` about its heel."""
     tip, reach = 0.5 * biped.foot.length - biped.foot.ball_forward, 0.5 * biped.foot.length + biped.foot.ball_forward
-    forward, rise = tip * (1 - cos(toes)) + reach * (cos(up) - 1), tip * sin(toes) + reach * sin(up)
-    return foot.on_sole(ball, foot.sole_axis(heading, normal), normal, forward, rise)
+    (c, s), (d, z) = turn(toes), turn(larger(up, 0.0))
+    axis = foot.sole_axis(sole.heading, sole.normal)
+    ball = foot.on_sole(sole.ball, axis, sole.normal, tip * (1 - c) + reach * (d - 1), tip * s + reach * z)
+    return Sole(ball, sole.heading, axis, sole.normal, sole.pitch, sole.flex)
 
 
 @jit_inline
-def point_of_foot(sole: Sole, forward: float, up: float, pitch: float) -> Triple:
+def point_of_foot(sole: Sole, forward: Some, up: Some, pitch: Some) -> Triple:
     """World point of the foot at (forward of the ball, up), pitched about the ball with the heel rising."""
-    c, s = cos(pitch), sin(pitch)
-    axis = foot.sole_axis(sole.heading, sole.normal)
-    return foot.on_sole(sole.ball, axis, sole.normal, c * forward + s * up, c * up - s * forward)
+    c, s = turn(pitch)
+    return foot.on_sole(sole.ball, sole.axis, sole.normal, c * forward + s * up, c * up - s * forward)

@@ -13,11 +13,14 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from motion.arithmetic.triples import Triple
 from motion.track.footprints import Footprints
-from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.beside.rows import ends_of
+from worlds.compiled.jit import jit, jit_borrowing, jit_inline
+from worlds.compiled.lanes import Some, larger, smaller
 from worlds.compiled.tables import Column, Numbers, copy_row, newest, part
 
-Weights = tuple[float, float, float, float]
+Weights = tuple[Some, Some, Some, Some]
 
 
 class Curve(NamedTuple):
@@ -38,7 +41,7 @@ class Track(NamedTuple):
 
 
 @jit_borrowing
-def position_weights(s: float, duration: float) -> Weights:
+def position_weights(s: Some, duration: Some) -> Weights:
     """Weights of (p0, v0, p1, v1) in the position at fraction s of a segment of `duration` seconds."""
     s2 = s * s
     s3 = s2 * s
@@ -46,7 +49,7 @@ def position_weights(s: float, duration: float) -> Weights:
 
 
 @jit_borrowing
-def velocity_weights(s: float, duration: float) -> Weights:
+def velocity_weights(s: Some, duration: Some) -> Weights:
     """Weights of (p0, v0, p1, v1) in the velocity."""
     s2 = s * s
     slope = 6 * (s2 - s) / duration
@@ -54,48 +57,64 @@ def velocity_weights(s: float, duration: float) -> Weights:
 
 
 @jit_borrowing
-def acceleration_weights(s: float, duration: float) -> Weights:
+def acceleration_weights(s: Some, duration: Some) -> Weights:
     """Weights of (p0, v0, p1, v1) in the acceleration."""
     bend = (12 * s - 6) / (duration * duration)
     return (bend, (6 * s - 4) / duration, -bend, (6 * s - 2) / duration)
 
 
 @jit_borrowing
-def segment_at(time: np.ndarray, t: float) -> int:
+def segment_at(time: Some, t: Some) -> Some:
     """Index of the segment holding t; `time` (m + 1,). Times outside fall to the first or last segment."""
-    return min(max(newest(time, t), 0), len(time) - 2)
+    return smaller(larger(newest(time, t), 0), len(time) - 2)
+
+
+@jit_inline
+def _mixed(weights: Weights, control: Some, i: Some) -> Triple:
+    """The points at both ends of segment i, and the velocities there, by their weights."""
+    (w, x, y, z), (p, q) = weights, ends_of(control, i)
+    return (
+        w * p[0] + x * p[3] + y * q[0] + z * q[3],
+        w * p[1] + x * p[4] + y * q[1] + z * q[4],
+        w * p[2] + x * p[5] + y * q[2] + z * q[5],
+    )
+
+
+@jit_borrowing
+def place_at(curve: Curve, t: Some) -> Triple:
+    """Position at t."""
+    i, time = segment_at(curve.time, t), curve.time
+    begin = time[i]
+    duration = time[i + 1] - begin
+    return _mixed(position_weights((t - begin) / duration, duration), curve.control, i)
+
+
+@jit_borrowing
+def state_at(curve: Curve, t: Some) -> tuple[Triple, Triple, Triple]:
+    """Position, velocity and acceleration at t."""
+    i, time, control = segment_at(curve.time, t), curve.time, curve.control
+    begin = time[i]
+    duration = time[i + 1] - begin
+    s = (t - begin) / duration
+    return (
+        _mixed(position_weights(s, duration), control, i),
+        _mixed(velocity_weights(s, duration), control, i),
+        _mixed(acceleration_weights(s, duration), control, i),
+    )
 
 
 @jit_borrowing
 def position_at(curve: Curve, t: float, out: np.ndarray) -> None:
     """Position at t into out (3,)."""
-    i, time, control = segment_at(curve.time, t), curve.time, curve.control
-    duration = time[i + 1] - time[i]
-    p = position_weights((t - time[i]) / duration, duration)
-    for axis in range(3):
-        out[axis] = (
-            p[0] * control[i, axis]
-            + p[1] * control[i, 3 + axis]
-            + p[2] * control[i + 1, axis]
-            + p[3] * control[i + 1, 3 + axis]
-        )
+    out[0], out[1], out[2] = place_at(curve, t)
 
 
 @jit_borrowing
 def evaluate(curve: Curve, t: float, com: np.ndarray, velocity: np.ndarray, acceleration: np.ndarray) -> None:
     """Position, velocity, acceleration at t into three (3,) arrays."""
-    i, time, control = segment_at(curve.time, t), curve.time, curve.control
-    duration = time[i + 1] - time[i]
-    s = (t - time[i]) / duration
-    position = position_weights(s, duration)
-    speed = velocity_weights(s, duration)
-    bend = acceleration_weights(s, duration)
+    place, speed, bend = state_at(curve, t)
     for axis in range(3):
-        p0, v0 = control[i, axis], control[i, 3 + axis]
-        p1, v1 = control[i + 1, axis], control[i + 1, 3 + axis]
-        com[axis] = position[0] * p0 + position[1] * v0 + position[2] * p1 + position[3] * v1
-        velocity[axis] = speed[0] * p0 + speed[1] * v0 + speed[2] * p1 + speed[3] * v1
-        acceleration[axis] = bend[0] * p0 + bend[1] * v0 + bend[2] * p1 + bend[3] * v1
+        com[axis], velocity[axis], acceleration[axis] = place[axis], speed[axis], bend[axis]
 
 
 @jit

@@ -11,6 +11,7 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 
 from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.lanes import Some, root
 from worlds.compiled.tables import Column, Indices, Integers, Numbers, Pairs, Truths, Vectors, copy_row, part
 
 LEFT, RIGHT = 0, 1
@@ -115,7 +116,7 @@ def outward(side: int, toe_out: float) -> float:
 
 
 @jit_borrowing
-def walker_heading(footprints: Footprints, n: int) -> float:
+def walker_heading(footprints: Footprints, n: Some) -> Some:
     """Where the walker headed who set footprint n [rad]."""
     return footprints.heading[n] - footprints.toe_out[n]
 
@@ -173,20 +174,21 @@ def forget_oldest(footprints: Footprints, count: int) -> None:
 
 
 @jit_borrowing
-def step_length(footprints: Footprints, n: int) -> float:
+def step_length(footprints: Footprints, n: Some) -> Some:
     """Horizontal length of the step to footprint n [m]."""
     p, q = footprints.position[n - 1], footprints.position[n]
-    return ((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2) ** 0.5
+    x, y = q[0] - p[0], q[1] - p[1]
+    return root(x * x + y * y)
 
 
 @jit_borrowing
-def rise(footprints: Footprints, n: int) -> float:
+def rise(footprints: Footprints, n: Some) -> Some:
     """How much higher footprint n lies than the one before [m]."""
     return footprints.position[n, 2] - footprints.position[n - 1, 2]
 
 
 @jit_borrowing
-def out_of_plane(footprints: Footprints, n: int) -> float:
+def out_of_plane(footprints: Footprints, n: Some) -> Some:
     """How much higher footprint n lies than the plane through it along its sole passes the one before [m]: a tread's height,
     and nothing on a slope, however steep."""
     p, q, normal = footprints.position[n - 1], footprints.position[n], footprints.normal[n]

@@ -1,14 +1,15 @@
 """Lengths of a leg: what it likes over a standing foot, what it may have where it lands and leaves, and what in its swing
 (section 2.4)."""
 
-from math import exp
 from typing import NamedTuple
 
+from motion.arithmetic.functions import exponential
 from motion.arithmetic.gravity import GRAVITY
 from motion.arithmetic.smooth import fade, mix, smoothstep
 from motion.characters.dimensions import Dimensions
 from motion.track.footprints import Footprints, rise, step_length
 from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.lanes import Some, choose, larger, root, smaller
 
 FULL_REACH = 0.9985
 """Share of max_length from which on reach counts: the penalty gives a little, the leg shall not."""
@@ -36,70 +37,68 @@ or will stand, is longer than it should be: the foot goes on from where it stood
 class Lengths(NamedTuple):
     """Of a leg that swings [m]."""
 
-    full: float
-    shortest: float  # at which it is not bent more
-    end: float  # of the leg that stands at the near end of the swing; 0 where that is not known
+    full: Some
+    shortest: Some  # at which it is not bent more
+    end: Some  # of the leg that stands at the near end of the swing; 0 where that is not known
 
 
 @jit_borrowing
-def nominal_at(biped: Dimensions, footprints: Footprints, n: int, u: float) -> float:
+def nominal_at(biped: Dimensions, footprints: Footprints, n: Some, u: Some) -> Some:
     """Comfortable virtual leg [m] over footprint n at share u of its stance.
 
     As long as footprint n says when the leg is straightest; it gives by `loading` when it takes the load, and bends by
     `push_off` when the heel leaves the ground (Winter 1991: the knee flexes twice in a stance).
     """
-    v, w = u / LOADING_ENDS, (u - PUSH_BEGINS) / (1 - PUSH_BEGINS)
-    give = biped.leg.loading * 6.75 * v * (1 - v) * (1 - v) if v < 1 and not footprints.stands[n] else 0.0
-    push = biped.leg.push_off * max(2 * footprints.roll[n, 1] - 1, 0.0) * w * w if w > 0 else 0.0
+    v, w = smaller(u / LOADING_ENDS, 1.0), larger((u - PUSH_BEGINS) / (1 - PUSH_BEGINS), 0.0)
+    give = choose(footprints.stands[n], 0.0, biped.leg.loading * 6.75 * v * (1 - v) * (1 - v))
+    push = biped.leg.push_off * larger(2 * footprints.roll[n, 1] - 1, 0.0) * w * w
     return footprints.nominal_length[n] * (1 - footprints.bounce[n] * give - footprints.bounce[n] * push)
 
 
 @jit_borrowing
-def landing_reach(biped: Dimensions, footprints: Footprints, n: int) -> float:
+def landing_reach(biped: Dimensions, footprints: Footprints, n: Some) -> Some:
     """Share of its reach that a leg may have when it lands on footprint n.
 
     A knee next to straight turns fast for little: it snaps where the leg's length l changes its rate v at once. Braking v takes
     v^2 / 2a, so that much of the leg is kept for it.
     """
-    return _reach(biped, LANDING, _rate(biped, footprints, n, max(-rise(footprints, n), 0.0)))
+    return _reach(biped, LANDING, _rate(biped, footprints, n, larger(-rise(footprints, n), 0.0)))
 
 
 @jit_borrowing
-def leaving_reach(biped: Dimensions, footprints: Footprints, n: int) -> float:
+def leaving_reach(biped: Dimensions, footprints: Footprints, n: Some) -> Some:
     """The same of the leg that it leaves for footprint n."""
-    return _reach(biped, LEAVING, _rate(biped, footprints, n, max(rise(footprints, n), 0.0)))
+    return _reach(biped, LEAVING, _rate(biped, footprints, n, larger(rise(footprints, n), 0.0)))
 
 
 @jit_borrowing
-def _reach(biped: Dimensions, less: float, rate: float) -> float:
-    return max(1 - less * max(rate / (GRAVITY * biped.leg.nominal_length) ** 0.5 - CALM, 0.0), LEAST_REACH)
+def _reach(biped: Dimensions, less: float, rate: Some) -> Some:
+    return larger(1 - less * larger(rate / root(GRAVITY * biped.leg.nominal_length) - CALM, 0.0), LEAST_REACH)
 
 
 @jit_borrowing
-def _rate(biped: Dimensions, footprints: Footprints, n: int, height: float) -> float:
+def _rate(biped: Dimensions, footprints: Footprints, n: Some, height: Some) -> Some:
     """How fast [m/s] a leg gets longer before it leaves for footprint n, or shorter once it has landed there.
 
     Its share of the body's way ahead, as it stands aslant, and of what the body falls or rises: g t / 2 beside a flight of t
     seconds, and the height [m] between the footprints, at twice its mean rate: it falls late in a step, and rises early.
     """
-    time = max(footprints.contact_time[n] - footprints.contact_time[n - 1], 1e-3)
-    flight = max(time - footprints.stance_time[n - 1], 0.0)
+    time = larger(footprints.contact_time[n] - footprints.contact_time[n - 1], 1e-3)
+    flight = larger(time - footprints.stance_time[n - 1], 0.0)
     length = step_length(footprints, n)
-    slant = min(0.5 * length * (1 - flight / time) / biped.leg.nominal_length, 1.0)
-    return length / time * slant + (0.5 * GRAVITY * flight + 1.5 * height / time) * (1 - slant * slant) ** 0.5
+    slant = smaller(0.5 * length * (1 - flight / time) / biped.leg.nominal_length, 1.0)
+    return length / time * slant + (0.5 * GRAVITY * flight + 1.5 * height / time) * root(1 - slant * slant)
 
 
 @jit_borrowing
-def _limited(length: float, free: float, full: float) -> float:
+def _limited(length: Some, free: Some, full: Some) -> Some:
     """A length that is its own up to `free` and comes smoothly to `full`: free + (full - free) (1 - exp(-x)), x = (length -
     free) / (full - free)."""
-    if length <= free:
-        return length
-    return free + (full - free) * (1 - exp((free - length) / (full - free)))
+    return choose(length <= free, length, free + (full - free) * (1 - exponential((free - length) / (full - free))))
 
 
 @jit_borrowing
-def shortest_over(biped: Dimensions, height: float) -> float:
+def shortest_over(biped: Dimensions, height: Some) -> Some:
     """Length [m] below which a swinging leg is not bent where its hip is so high [m] above an ankle that stands on the ground.
 
     That is min_length, but less in a crouch: who lands low would push the foot that swings into the ground.
@@ -109,16 +108,15 @@ def shortest_over(biped: Dimensions, height: float) -> float:
 
 
 @jit_borrowing
-def swing_length(lengths: Lengths, length: float, s: float, kept: tuple[float, float]) -> float:
+def swing_length(lengths: Lengths, length: Some, s: Some, kept: tuple[Some, Some]) -> Some:
     """Length [m] of a leg at share s of its swing whose foot's way would ask for `length`: neither too long nor too bent."""
     full, shortest, end = lengths
-    calm = 1 - fade(min(s, 1 - s), FREE_ENDS)
-    bent = BENT * shortest
-    if length < bent:
-        least = shortest + (bent - shortest) * exp((length - bent) / (bent - shortest))
-        return length + calm * (least - length)
+    ends = smaller(s, 1 - s)
+    calm, bent = 1 - fade(ends, FREE_ENDS), BENT * shortest
+    least = shortest + (bent - shortest) * exponential((length - bent) / (bent - shortest))
     less = kept[0] * smoothstep(1 - 2 * s) + kept[1] * smoothstep(2 * s - 1)
-    beyond = end / full - (FIRM_REACH - (kept[0] if s < 0.5 else kept[1]))
-    more = max(OPEN, beyond + JUST) * fade(min(s, 1 - s), OPENS)
+    beyond = end / full - (FIRM_REACH - choose(s < 0.5, kept[0], kept[1]))
+    more = larger(OPEN, beyond + JUST) * fade(ends, OPENS)
     near = _limited(length, (FIRM_REACH - less + more) * full, (1 - YIELDS * less + more) * full)
-    return near + calm * (_limited(length, FREE_REACH * full, full) - near)
+    far = near + calm * (_limited(length, FREE_REACH * full, full) - near)
+    return choose(length < bent, length + calm * (least - length), far)

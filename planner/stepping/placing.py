@@ -3,6 +3,8 @@
 from math import cos, sin, sqrt
 from typing import Any
 
+import numpy as np
+
 from motion.arithmetic.gravity import froude_number, pendulum_time
 from motion.arithmetic.smooth import fade, mix, smoothstep
 from motion.characters.dimensions import Dimensions
@@ -11,7 +13,9 @@ from motion.track import foot
 from motion.track.footprints import Footprints, out_of_plane
 from worlds import queries
 from worlds.arrays import FLAT, SPIRAL_STAIRS, STAIRS, WorldArrays
-from worlds.compiled.jit import jit_borrowing
+from worlds.compiled.beside.places import load_wide, store_some
+from worlds.compiled.beside.wide import WIDE
+from worlds.compiled.jit import jit_borrowing, stack_array
 
 SAMPLES = 61
 """Shares of the swing at which the ground below the foot is asked for."""
@@ -192,14 +196,30 @@ def _depth(biped: Dimensions, world: WorldArrays, footprints: Footprints, n: int
     return deep
 
 
+_empty_points = stack_array(9, WIDE)
+_UPWARD = np.arange(float(WIDE))
+
+
+@jit_borrowing
+def _lay_points(
+    biped: Dimensions, footprints: Footprints, before: int, after: int, first: int, samples: int, points: np.ndarray
+) -> None:
+    """Where heel, ball and toe are at WIDE samples of a swing, from one on: points (9, WIDE), three coordinates of each."""
+    back, ahead = -0.5 * biped.foot.length - biped.foot.ball_forward, 0.5 * biped.foot.length - biped.foot.ball_forward
+    sole = swing.sole_at(biped, footprints, before, after, (first + load_wide(_UPWARD, (0,))) / samples)
+    heel, toe = swing.point_of_foot(sole, back, 0.0, sole.pitch), swing.point_of_foot(sole, ahead, 0.0, sole.pitch - sole.flex)
+    for n, point in enumerate((heel, sole.ball, toe)):
+        for axis in range(3):
+            store_some(points, (3 * n + axis, 0), point[axis], WIDE)
+
+
 @jit_borrowing
 def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before: int, after: int, hold: float) -> float:
     """Lift [m] with which heel, ball and toe clear the ground below by the gait's clearance at mid-swing.
 
     A sole that stands in the ground a little, on a crest, leaves it and comes to it as deep: no lift helps there.
     """
-    most, ball = MOST_RISES * biped.reach.max_rise, biped.foot.ball_forward
-    back, ahead = -0.5 * biped.foot.length - ball, 0.5 * biped.foot.length - ball
+    most, points = MOST_RISES * biped.reach.max_rise, _empty_points()
     footprints.lift[after], footprints.hold[after] = 0.0, hold
     level = is_level(biped, world, footprints, before, after)
     lift = clearance = biped.gait.clearance if level else max(biped.gait.clearance, ROUGH * biped.foot.length)
@@ -208,13 +228,13 @@ def _lift(biped: Dimensions, world: WorldArrays, footprints: Footprints, before:
     deep = 0.0 if level else max(_depth(biped, world, footprints, before), _depth(biped, world, footprints, after))
     run = foot.runs(footprints, before)
     for k in range(1, samples):
-        s = k / samples
-        sole = swing.sole_at(biped, footprints, before, after, s)
-        rise = swing.bump(s)
-        rim = RIM * rise if 0 < swing.progress(s, hold, run) < 1 else 0.0
-        for forward, bend in ((back, sole.pitch), (0.0, 0.0), (ahead, sole.pitch - sole.flex)):
-            p = swing.point_of_foot(sole, forward, 0.0, bend)
-            ground = 0.0 if level else _below(world, p[0], p[1], rim, highest)
-            lack = ground + clearance * rise - p[2] - (1 - rise) * deep
+        lane = (k - 1) % WIDE
+        if lane == 0:
+            _lay_points(biped, footprints, before, after, k, samples, points)
+        rise = swing.bump(k / samples)
+        rim = RIM * rise if not level and 0 < swing.progress(k / samples, hold, run) < 1 else 0.0
+        for n in range(0, 9, 3):
+            ground = 0.0 if level else _below(world, points[n, lane], points[n + 1, lane], rim, highest)
+            lack = ground + clearance * rise - points[n + 2, lane] - (1 - rise) * deep
             lift = max(lift, min(lack / rise, most))
     return lift

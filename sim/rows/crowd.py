@@ -10,7 +10,7 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 
 from motion.com.standing import above_feet
-from motion.track.curve import Curve, Track, append_segment, forget_segments, up_to
+from motion.track.curve import Curve, append_segment, forget_segments, up_to
 from motion.track.footprints import Footprints, first, forget_oldest
 from motion.track.phases import SHORTEST_PHASE
 from planner.round.reservations import Intents
@@ -76,12 +76,6 @@ def footprints_of(crowd: Crowd, c: int, count: int) -> Footprints:
 def committed_of(crowd: Crowd, c: int) -> Curve:
     """The committed curve of character c."""
     return up_to(row(crowd.committed, c), crowd.segments[c])
-
-
-@jit_borrowing
-def track_of(crowd: Crowd, c: int) -> Track:
-    """What character c does: its real footprints and its committed curve."""
-    return Track(footprints_of(crowd, c, crowd.real[c]), committed_of(crowd, c))
 
 
 @jit_borrowing

@@ -10,12 +10,15 @@ from motion.characters.dimensions import empty_bipeds
 from motion.pose.pose import Pose
 from motion.pose.posing import Posed, lend_pose, lend_posed
 from motion.track.curve import position_at
-from sim.rows.crowd import Crowd, committed_of, empty_crowd, track_of
+from sim.rows.crowd import Crowd, committed_of, empty_crowd
+from worlds.compiled.beside.wide import WIDE
 from worlds.compiled.jit import jit, jit_borrowing, jit_parallel
-from worlds.compiled.parts import call, fetch, handle, take
+from worlds.compiled.parts import call_three, fetch, handle, take
 
 SHARE = 4
 """Characters that a thread takes at a time; so many are no work for two."""
+MANY = SHARE * WIDE
+"""The same of those that are posed: they are posed WIDE at once."""
 WORKERS = 64
 """More than there are threads: each works until nothing is left, and those that come late find nothing."""
 
@@ -54,34 +57,49 @@ def fetch_row(crowd: Crowd, c: int) -> None:
 
 
 @jit_borrowing
-def _pose_some(part: int, shown_at: int, pose_at: int, t: float, rows: np.ndarray, counter: np.ndarray) -> None:
+def _fetch_some(crowd: Crowd, rows: np.ndarray, begin: int) -> None:
+    for k in range(begin, min(begin + WIDE, len(rows))):
+        fetch_row(crowd, rows[k])
+
+
+@jit_borrowing
+def _pose_some(part: int, crowd: Crowd, posed: Posed, pose_at: int, counter: np.ndarray) -> None:
     """Poses share after share, until none is left."""
-    shown, begin = open_shown(shown_at), take(counter) * SHARE
-    crowd = shown.crowd
+    rows, posed_at, begin = posed.rows, lend_posed(posed), take(counter) * MANY
     while begin < len(rows):
-        for k in range(begin, min(begin + SHARE, len(rows))):
-            c = rows[k]
-            if k + 2 < len(rows):
-                fetch_row(crowd, rows[k + 2])
-            call(part, lend_posed(Posed(shown.bipeds, crowd.kind[c], track_of(crowd, c), t, k)), pose_at)
-        begin = take(counter) * SHARE
+        for k in range(begin, min(begin + MANY, len(rows)), WIDE):
+            _fetch_some(crowd, rows, k + WIDE)
+            call_three(part, posed_at, pose_at, k)
+        begin = take(counter) * MANY
+
+
+@jit_borrowing
+def _posed(shown: Shown, t: float, rows: np.ndarray) -> Posed:
+    crowd = shown.crowd
+    return Posed(shown.bipeds, crowd.kind, crowd.footprints, crowd.real, crowd.committed, crowd.segments, t, rows)
 
 
 @jit_parallel
 def _pose_in_threads(part: int, shown_at: int, pose_at: int, t: float, rows: np.ndarray, counter: np.ndarray) -> None:
     for _ in prange(WORKERS):
-        _pose_some(part, shown_at, pose_at, t, rows, counter)
+        _work(part, shown_at, pose_at, t, rows, counter)
+
+
+@jit_borrowing
+def _work(part: int, shown_at: int, pose_at: int, t: float, rows: np.ndarray, counter: np.ndarray) -> None:
+    shown = open_shown(shown_at)
+    _pose_some(part, shown.crowd, _posed(shown, t, rows), pose_at, counter)
 
 
 @jit
 def pose_rows(part: int, shown_at: int, t: float, rows: np.ndarray, pose: Pose) -> None:
     """Poses the characters `rows` (K,) of the Shown at an address, at time t [s], into pose, of K rows.
 
-    part: where motion.pose.posing.pose_one lies.
+    part: where motion.pose.posing.pose_some lies.
     """
     pose_at, counter = lend_pose(pose), np.zeros(1, np.int64)
-    if len(rows) <= SHARE:
-        _pose_some(part, shown_at, pose_at, t, rows, counter)
+    if len(rows) <= MANY:
+        _work(part, shown_at, pose_at, t, rows, counter)
     else:
         _pose_in_threads(part, shown_at, pose_at, t, rows, counter)
 

@@ -10,7 +10,7 @@ from motion.characters.dimensions import empty_bipeds
 from motion.motion import bones_of
 from motion.pose.bones import Bones
 from motion.pose.pose import Pose, empty_pose
-from motion.pose.posing import pose_one
+from motion.pose.posing import pose_some
 from motion.pose.skeleton import Skeleton, skeleton_of
 from motion.track.curve import Curve
 from motion.track.footprints import Footprints
@@ -126,7 +126,7 @@ class Cast:
         if len(pose.phase) < len(rows):
             raise InputError(f"a pose of {len(pose.phase)} rows: {len(rows)} are needed")
         with posing.THREADS:
-            posing.pose_rows(pose_one.address, self._shown_at(), asked.moment(time), rows, pose)
+            posing.pose_rows(pose_some.address, self._shown_at(), asked.moment(time), rows, pose)
 
     def com(self, time: float | None = None) -> np.ndarray:
         """Centres of mass (C, 3) of all characters at `time` [s], by default now, without posing them."""

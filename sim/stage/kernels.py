@@ -11,7 +11,7 @@ from motion.com import newton, window
 from motion.pose import turning
 from motion.pose.bones import Bones, Placed
 from motion.pose.pose import empty_pose
-from motion.pose.posing import pose_one
+from motion.pose.posing import pose_some
 from motion.track import curve, phases
 from motion.track.curve import Curve
 from motion.track.footprints import STEP, Footprints
@@ -51,7 +51,7 @@ def steps() -> dict[str, list[tuple[Any, tuple]]]:
         "ways": [(field.lay_out, (biped, w, 0.0, matrix)), (field.sweep, (matrix, 0.0, matrix.astype(np.float32)))],
         "tick of the crowd": [(rounds.advance_all, (rounds.Parts(0, 0), 0, 0.0, one, 0))],
         "poses": [
-            (pose_one, ()),
+            (pose_some, ()),
             (posing.pose_rows, (0, 0, 0.0, one, empty_pose(1))),
             (posing.com_all, (0, 0.0, matrix)),
         ],

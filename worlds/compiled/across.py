@@ -5,7 +5,7 @@ from numba.core import types
 from numba.core.typing.templates import signature
 
 from worlds.compiled.jit import intrinsic, intrinsic_of_literals
-from worlds.compiled.lanes import KIND, LANES, bits
+from worlds.compiled.kinds import KIND, LANES, MaskType, bits
 
 
 @intrinsic
@@ -81,3 +81,26 @@ def turned(_, a, b, c, d):
         return context.make_tuple(builder, sig.return_type, columns)
 
     return signature(types.UniTuple(KIND, LANES), a, b, c, d), codegen
+
+
+@intrinsic
+def any_of(_, truth):
+    """Whether a truth holds in any lane; of a plain one, whether it holds."""
+
+    def codegen(context, builder, sig, args):
+        if not isinstance(truth, MaskType):
+            return context.cast(builder, args[0], truth, types.boolean)
+        whole = ir.IntType(truth.count)
+        return builder.icmp_unsigned("!=", builder.bitcast(bits(builder, args[0]), whole), ir.Constant(whole, 0))
+
+    return signature(types.boolean, truth), codegen
+
+
+@intrinsic
+def isnt(_, truth):
+    """Whether a truth does not hold, lane by lane."""
+
+    def codegen(context, builder, sig, args):
+        return builder.not_(args[0] if isinstance(truth, MaskType) else context.cast(builder, args[0], truth, types.boolean))
+
+    return signature(truth if isinstance(truth, MaskType) else types.boolean, truth), codegen

@@ -49,10 +49,10 @@ class _Whole(JITCodeLibrary):  # type: ignore[misc]
 
     def _optimize_final_module(self) -> None:
         """Optimises it, the kernels that it has linked as its own: nobody else calls them by their names."""
-        for library in self._linking_libraries:
-            if isinstance(library, _Lowered):
-                for name in library.names:
-                    self._final_module.get_function(name).linkage = Linkage.internal
+        names = {name for each in self._linking_libraries if isinstance(each, _Lowered) for name in each.names}
+        for function in self._final_module.functions:
+            if function.name in names and not function.is_declaration:  # what nobody calls the linker has left out
+                function.linkage = Linkage.internal
         super()._optimize_final_module()
 
 

@@ -1,185 +1,136 @@
-"""Four numbers side by side, that one instruction works on: kernels written with them are vectorised by construction.
+"""Numbers side by side, that one instruction works on: kernels written with them are vectorised by construction.
 
-A `Lanes` holds LANES float64, a `Mask` as many truths. Arithmetic and comparisons go lane by lane, with a number on either
+`Lanes` hold float64, a `Mask` as many truths. Arithmetic and comparisons go lane by lane, with a number on either
 side spread over all lanes; `choose`, `root`, `larger` work alike on lanes and on plain numbers, so that one kernel serves both.
 No lane sees another, and none is rounded differently from a plain number: results are the same for any width of the machine's
 registers. (LLVM's loop vectoriser would have to prove that arrays do not overlap; it cannot.)
 """
 
-import operator
 from typing import Any
 
 from llvmlite import ir
 from numba.core import cgutils, types
-from numba.core.typing.templates import AbstractTemplate, infer_global, signature
-from numba.extending import lower_builtin, models, register_model
+from numba.core.typing.templates import signature
 
 from worlds.compiled.jit import intrinsic
+from worlds.compiled.kinds import KIND, MASK, LanesType, MaskType, WholesType, bits, one_by_llvm, spread, truths, wide
+from worlds.compiled.kinds import LANES as LANES
 
-LANES = 4
-"""Doubles in a register of today's common machines; wider ones gain little, as segments come in tens."""
-
-
-class LanesType(types.Type):
-    """LANES numbers."""
-
-    def __init__(self) -> None:
-        super().__init__(name="lanes")
+Some = Any
+"""A number or Lanes of them; a bool or a Mask; an index or Wholes."""
 
 
-class MaskType(types.Type):
-    """LANES truths, all bits of a lane set or none."""
-
-    def __init__(self) -> None:
-        super().__init__(name="mask")
-
-
-KIND, MASK = LanesType(), MaskType()
-"""Types, as the compiler knows them."""
-_NUMBERS, _TRUTHS, _BYTES = (ir.VectorType(one, LANES) for one in (ir.DoubleType(), ir.IntType(64), ir.IntType(8)))
+def _joined(*kinds: Any) -> Any:
+    """The type that values of all of these fit in: whole numbers only where all are."""
+    count, whole = wide(*kinds), all(isinstance(kind, (WholesType, types.Integer)) for kind in kinds)
+    if not count:
+        return types.int64 if whole else types.float64
+    return WholesType(count) if whole else LanesType(count)
 
 
-class _Vector(models.PrimitiveModel):
-    VECTOR: Any = _NUMBERS
-
-    def __init__(self, manager, fe_type) -> None:
-        super().__init__(manager, fe_type, self.VECTOR)
-
-
-@register_model(LanesType)
-class _LanesModel(_Vector):
-    VECTOR = _NUMBERS
-
-
-@register_model(MaskType)
-class _MaskModel(_Vector):
-    VECTOR = _TRUTHS
-
-
-def _spread(context, builder, kind, value):
-    """A plain number in every lane."""
-    if kind == KIND:
-        return value
-    number = context.cast(builder, value, kind, types.float64)
-    one = builder.insert_element(ir.Constant(_NUMBERS, ir.Undefined), number, ir.Constant(ir.IntType(32), 0))
-    zeros = ir.Constant(ir.VectorType(ir.IntType(32), LANES), [0] * LANES)
-    return builder.shuffle_vector(one, ir.Constant(_NUMBERS, ir.Undefined), zeros)
-
-
-def _truths(builder, bits):
-    return builder.sext(bits, _TRUTHS)
-
-
-def bits(builder, mask):
-    """LLVM's truths of a Mask."""
-    return builder.icmp_signed("<", mask, ir.Constant(_TRUTHS, [0] * LANES))
-
-
-def _define(op, emit, result):
-    """Operator `op` on two lanes, or on lanes and a number."""
-
-    @infer_global(op)
-    class _Typing(AbstractTemplate):
-        def generic(self, args, kws):
-            if len(args) == 2 and KIND in args and all(a == KIND or isinstance(a, types.Number) for a in args):
-                return signature(result, *args)
-            return None
-
-    def lower(context, builder, sig, args):
-        a, b = (_spread(context, builder, kind, value) for kind, value in zip(sig.args, args, strict=True))
-        return emit(builder, a, b)
-
-    for pair in ((LanesType, LanesType), (LanesType, types.Number), (types.Number, LanesType)):
-        lower_builtin(op, *pair)(lower)
-
-
-for _op, _own, _name in (
-    (operator.add, operator.iadd, "fadd"),
-    (operator.sub, operator.isub, "fsub"),
-    (operator.mul, operator.imul, "fmul"),
-    (operator.truediv, operator.itruediv, "fdiv"),
-):
-    for _one in (_op, _own):
-        _define(_one, lambda builder, a, b, name=_name: getattr(builder, name)(a, b), KIND)
-for _op, _sign in ((operator.gt, ">"), (operator.ge, ">="), (operator.lt, "<"), (operator.le, "<=")):
-    _define(_op, lambda builder, a, b, sign=_sign: _truths(builder, builder.fcmp_ordered(sign, a, b)), MASK)
-
-
-@infer_global(operator.and_)
-@infer_global(operator.or_)
-class _Both(AbstractTemplate):
-    def generic(self, args, kws):
-        return signature(MASK, *args) if args == (MASK, MASK) else None
-
-
-@lower_builtin(operator.and_, MaskType, MaskType)
-def _and(context, builder, sig, args):
-    return builder.and_(*args)
-
-
-@lower_builtin(operator.or_, MaskType, MaskType)
-def _or(context, builder, sig, args):
-    return builder.or_(*args)
-
-
-@infer_global(operator.neg)
-class _Negative(AbstractTemplate):
-    def generic(self, args, kws):
-        return signature(KIND, KIND) if args == (KIND,) else None
-
-
-@lower_builtin(operator.neg, LanesType)
-def _neg(context, builder, sig, args):
-    return builder.fneg(args[0])
+def _fit(context, builder, kinds, values, wanted):
+    """Values of these types as one."""
+    if isinstance(wanted, (LanesType, WholesType)):
+        return [spread(context, builder, kind, value, wanted) for kind, value in zip(kinds, values, strict=True)]
+    return [context.cast(builder, value, kind, wanted) for kind, value in zip(kinds, values, strict=True)]
 
 
 @intrinsic
 def choose(_, condition, yes, no):
     """yes where the condition holds, else no: of lanes or numbers by a Mask, of numbers by a bool. Both are worked out."""
-    wide = condition == MASK
-    result = KIND if wide else types.float64
+    result = _joined(yes, no)
+    if isinstance(condition, MaskType) and not wide(yes, no):
+        result = WholesType(condition.count) if result == types.int64 else LanesType(condition.count)
 
     def codegen(context, builder, sig, args):
-        truth, a, b = args
-        if wide:
-            a, b = (_spread(context, builder, kind, value) for kind, value in zip(sig.args[1:], (a, b), strict=True))
-            return builder.select(bits(builder, truth), a, b)
-        a, b = (context.cast(builder, v, kind, types.float64) for kind, v in zip(sig.args[1:], (a, b), strict=True))
-        return builder.select(context.cast(builder, truth, sig.args[0], types.boolean), a, b)
+        a, b = _fit(context, builder, sig.args[1:], args[1:], result)
+        if isinstance(condition, MaskType):
+            return builder.select(bits(builder, args[0]), a, b)
+        return builder.select(context.cast(builder, args[0], sig.args[0], types.boolean), a, b)
 
     return signature(result, condition, yes, no), codegen
 
 
+def _of_one(name):
+    @intrinsic
+    def function(_, x):
+        result = x if isinstance(x, LanesType) else types.float64
+
+        def codegen(context, builder, sig, args):
+            return one_by_llvm(builder, name, args[0] if x == result else context.cast(builder, args[0], x, result))
+
+        return signature(result, x), codegen
+
+    return function
+
+
+root: Any = _of_one("sqrt")
+"""Square root."""
+nearest: Any = _of_one("rint")
+"""The nearest whole number, as float64; the even one of two."""
+
+
+def _of_two(sign):
+    @intrinsic
+    def function(_, x, y):
+        result = _joined(x, y)
+
+        def codegen(context, builder, sig, args):
+            a, b = _fit(context, builder, sig.args, args, result)
+            whole = isinstance(result, (WholesType, types.Integer))
+            return builder.select((builder.icmp_signed if whole else builder.fcmp_ordered)(sign, a, b), a, b)
+
+        return signature(result, x, y), codegen
+
+    return function
+
+
+larger: Any = _of_two(">")
+"""The larger of two; the second where the first is not a number."""
+smaller: Any = _of_two("<")
+"""The smaller of two; the second where the first is not a number."""
+
+
 @intrinsic
-def root(_, x):
-    """Square root."""
-    result = x if x == KIND else types.float64
+def scaled(_, x, k):
+    """x 2^k, k a whole number in float64, of what is not too small or large for it."""
+    result = _joined(x, k)
 
     def codegen(context, builder, sig, args):
-        value = args[0] if x == KIND else context.cast(builder, args[0], x, types.float64)
-        kind = ir.FunctionType(value.type, [value.type])
-        name = f"llvm.sqrt.{'f64' if value.type == ir.DoubleType() else f'v{LANES}f64'}"
-        return builder.call(cgutils.get_or_insert_function(builder.module, kind, name), [value])
+        a, b = _fit(context, builder, sig.args, args, result)
+        count = wide(result)
+        whole = ir.VectorType(ir.IntType(64), count) if count else ir.IntType(64)
+        shift = builder.shl(builder.fptosi(b, whole), _filled(whole, 52))
+        return builder.bitcast(builder.add(builder.bitcast(a, whole), shift), a.type)
 
-    return signature(result, x), codegen
+    return signature(result, x, k), codegen
 
 
 @intrinsic
-def larger(_, x, y):
-    """The larger of two; y where x is not a number."""
-    wide = KIND in (x, y)
+def parts_of(_, x):
+    """(m, k) with x = m 2^k, m from sqrt(1/2) to sqrt(2), of a positive number that is neither infinite nor next to nothing."""
+    result = x if isinstance(x, LanesType) else types.float64
 
     def codegen(context, builder, sig, args):
-        if wide:
-            a, b = (_spread(context, builder, kind, value) for kind, value in zip(sig.args, args, strict=True))
-        else:
-            a, b = (context.cast(builder, value, kind, types.float64) for kind, value in zip(sig.args, args, strict=True))
-        return builder.select(builder.fcmp_ordered(">", a, b), a, b)
+        value = args[0] if x == result else context.cast(builder, args[0], x, result)
+        whole = ir.VectorType(ir.IntType(64), x.count) if isinstance(x, LanesType) else ir.IntType(64)
+        found = builder.bitcast(value, whole)
+        above = builder.sub(found, _filled(whole, 0x3FE6A09E667F3BCD))
+        exponent = builder.ashr(above, _filled(whole, 52))
+        mantissa = builder.sub(found, builder.shl(exponent, _filled(whole, 52)))
+        return context.make_tuple(
+            builder, sig.return_type, [builder.bitcast(mantissa, value.type), builder.sitofp(exponent, value.type)]
+        )
 
-    return signature(KIND if wide else types.float64, x, y), codegen
+    return signature(types.UniTuple(result, 2), x), codegen
 
 
-def _pointer(context, builder, kind, array, index_kind, index, vector):
+def _filled(kind, number):
+    return ir.Constant(kind, [number] * kind.count) if isinstance(kind, ir.VectorType) else ir.Constant(kind, number)
+
+
+def pointer(context, builder, kind, array, index_kind, index, vector):
+    """Where array[index] lies, as the beginning of such a vector."""
     struct = context.make_array(kind)(context, builder, array)
     indices = cgutils.unpack_tuple(builder, index, len(index_kind))
     indices = [context.cast(builder, one, each, types.intp) for one, each in zip(indices, index_kind, strict=True)]
@@ -190,17 +141,17 @@ def _pointer(context, builder, kind, array, index_kind, index, vector):
 @intrinsic
 def load(_, array, index):
     """Lanes from array[index] on, contiguous; a Mask of a bool array."""
-    truths = array.dtype == types.boolean
+    is_mask = array.dtype == types.boolean
 
     def codegen(context, builder, sig, args):
-        vector = _BYTES if truths else _NUMBERS
-        at = _pointer(context, builder, sig.args[0], args[0], sig.args[1], args[1], vector)
-        found = builder.load(at, align=1 if truths else 8)
-        if truths:
-            return _truths(builder, builder.icmp_unsigned("!=", found, ir.Constant(_BYTES, [0] * LANES)))
+        vector = ir.VectorType(ir.IntType(8), LANES) if is_mask else KIND.vector
+        at = pointer(context, builder, sig.args[0], args[0], sig.args[1], args[1], vector)
+        found = builder.load(at, align=1 if is_mask else 8)
+        if is_mask:
+            return truths(builder, builder.icmp_unsigned("!=", found, ir.Constant(vector, [0] * LANES)))
         return found
 
-    return signature(MASK if truths else KIND, array, index), codegen
+    return signature(MASK if is_mask else KIND, array, index), codegen
 
 
 @intrinsic
@@ -208,8 +159,9 @@ def store(_, array, index, value):
     """array[index] and the next ones, contiguous, become the lanes."""
 
     def codegen(context, builder, sig, args):
-        at = _pointer(context, builder, sig.args[0], args[0], sig.args[1], args[1], _NUMBERS)
-        builder.store(_spread(context, builder, sig.args[2], args[2]), at, align=8)
+        number = spread(context, builder, sig.args[2], args[2], KIND)
+        at = pointer(context, builder, sig.args[0], args[0], sig.args[1], args[1], KIND.vector)
+        builder.store(number, at, align=8)
         return context.get_dummy_value()
 
     return signature(types.none, array, index, value), codegen
@@ -220,7 +172,7 @@ def lanes_of(_, a, b, c, d):
     """Four numbers side by side."""
 
     def codegen(context, builder, sig, args):
-        found = ir.Constant(_NUMBERS, ir.Undefined)
+        found = ir.Constant(KIND.vector, ir.Undefined)
         for k, (kind, value) in enumerate(zip(sig.args, args, strict=True)):
             number = context.cast(builder, value, kind, types.float64)
             found = builder.insert_element(found, number, ir.Constant(ir.IntType(32), k))

@@ -11,7 +11,9 @@ import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
 
+from worlds.compiled.across import any_of, isnt
 from worlds.compiled.jit import intrinsic, jit_borrowing
+from worlds.compiled.lanes import Some, choose, smaller
 
 Table = TypeVar("Table", bound=tuple)
 
@@ -62,7 +64,7 @@ def copied(table: Table) -> Table:
     return type(table)(*(column.copy() if isinstance(column, np.ndarray) else copied(column) for column in table))
 
 
-def _tuple_type(columns: list, kind: type) -> Any:
+def tuple_type(columns: list, kind: type) -> Any:
     """The type that the compiler gives a NamedTuple of these: another one where all columns are alike."""
     if len(set(columns)) == 1:
         return types.NamedUniTuple(columns[0], len(columns), kind)
@@ -98,7 +100,7 @@ def _stride(builder: Any, array: Any) -> Any:
 @intrinsic
 def row(_, table, index):
     """Row `index` of a table of more than one axis, for kernels: a table that borrows it."""
-    result = _tuple_type([types.Array(each.dtype, each.ndim - 1, each.layout) for each in table.types], table.instance_class)
+    result = tuple_type([types.Array(each.dtype, each.ndim - 1, each.layout) for each in table.types], table.instance_class)
 
     def codegen(context, builder, signature, arguments):
         value, at = arguments
@@ -153,13 +155,13 @@ def copy_row(_, table, source, goal):
 
 
 @jit_borrowing
-def newest(times: np.ndarray, t: float) -> int:
+def newest(times: Some, t: Some) -> Some:
     """Index of the last of ascending times (n,) that is not after t; -1 where all are. np.searchsorted compiles for long."""
-    low, high = 0, len(times)
-    while low < high:
-        middle = (low + high) // 2
-        if t < times[middle]:
-            high = middle
-        else:
-            low = middle + 1
+    high = len(times)
+    low, last = high - high, high - 1
+    while any_of(low < high):
+        middle = (low + high) >> 1
+        later, seeks = t < times[smaller(middle, last)], low < high
+        high = choose(later & seeks, middle, high)
+        low = choose(isnt(later) & seeks, middle + 1, low)
     return low - 1

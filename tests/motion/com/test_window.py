@@ -53,9 +53,9 @@ def check_legs(b, footprints, support, t, standing, origin):
 def test_headings_at_many_times_are_those_at_each(windows):
     one = windows[40]
     times = np.linspace(one.footprints.contact_time[0] - 2.0, one.footprints.contact_time[-1] + 2.0, 400)
-    out = np.empty(400)
-    heading.body_headings(one.biped, one.footprints, times, out)
-    np.testing.assert_allclose(out, [heading.body_heading(one.biped, one.footprints, t) for t in times], atol=1e-12)
+    out = np.empty((4, 100))
+    heading.body_headings(one.biped, one.footprints, times.reshape(100, 4).T.copy(), out)
+    np.testing.assert_allclose(out.T.ravel(), [heading.body_heading(one.biped, one.footprints, t) for t in times], atol=1e-12)
 
 
 def first_of(old):

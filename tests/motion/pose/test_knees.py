@@ -6,7 +6,7 @@ import pytest
 from motion.characters.character import load_character
 from motion.measures.joints import shank_distance
 from motion.pose import legs
-from motion.pose.knees import Legs, keep_apart
+from motion.pose.knees import Shank, keep_apart
 from motion.pose.pose import empty_pose
 
 B = load_character("human").biped
@@ -14,7 +14,14 @@ LOW = B.foot.ankle_height
 
 
 def apart_at(yaw, pose, biped=B):
-    keep_apart(biped, yaw, Legs(pose.hip[0], pose.knee[0], pose.hock[0], pose.ankle[0]))
+    legs = [Shank(*(tuple(joint[0, side].tolist()) for joint in _joints(pose))) for side in range(2)]
+    for side, leg in enumerate(keep_apart(biped, yaw, *legs)):
+        for joint, place in zip(_joints(pose), leg, strict=True):
+            joint[0, side] = place
+
+
+def _joints(pose):
+    return pose.hip, pose.knee, pose.hock, pose.ankle
 
 
 CLOSE = [

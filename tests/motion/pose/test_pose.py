@@ -81,8 +81,7 @@ def test_heading_is_the_box_average_of_the_line():
 
 def test_who_stands_breathes_and_looks_around_and_who_walks_does_not():
     b = load_character("human").biped
-    still, walking = np.zeros((trunk.PAST, 3)), np.zeros((trunk.PAST, 3))
-    walking[:, 0] = -1.3 * trunk.delay(b) * np.arange(trunk.PAST)
+    still, walking = trunk.Past(*[(0.0, 0.0, 0.0)] * 3), trunk.Past(*[(-1.3 * trunk.delay(b) * k, 0.0, 0.0) for k in range(3)])
     moments = np.arange(0.0, 60.0, 1 / 60)
     life = np.array([trunk.idle_life(b, still, t) for t in moments])
     assert np.abs(life[:, 0]).max() == pytest.approx(trunk.BREATH, rel=1e-3)

@@ -12,6 +12,7 @@ from sim.stage.making import make_visited
 from sim.stage.simulation import Simulation
 from tests.crowds import Watch, forest, ring, streams
 from worlds.errors import InputError
+from worlds.level import load_level
 from worlds.world import World
 
 
@@ -78,3 +79,15 @@ def test_windows_of_people_who_walk_among_others_are_solved():
         for c in np.flatnonzero(sim.crowd.number != before):
             costs.append(sim.crowd.window_cost[c, 0] / (window[c, last[c]] - window[c, 0]))
     assert len(costs) > 500 and np.mean(np.array(costs) > 1) < 0.003 and max(costs) < 3
+
+
+def test_who_is_posed_beside_others_is_posed_as_alone_to_the_bit():
+    kinds = [load_character(name) for name in ("bird", "human", "ostrich")]
+    sim = Simulation(load_level("forest"), [kinds[k % 3] for k in range(11)], Wander(), 5)
+    for _ in range(150):
+        sim.tick()
+    rows = np.array([4, 0, 10, 7, 1, 2, 9, 3, 8, 5])
+    together = sim.snapshot(sim.time - 0.01, rows)
+    for k, c in enumerate(rows):
+        for found, alone in zip(together, sim.snapshot(sim.time - 0.01, np.array([c])), strict=True):
+            np.testing.assert_array_equal(found[k], alone[0])

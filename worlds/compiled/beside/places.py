@@ -1,0 +1,87 @@
+"""Where numbers side by side come from, and where they are put: entries of an array, contiguous or of any rows."""
+
+from llvmlite import ir
+from numba.core import cgutils, types
+from numba.core.typing.templates import signature
+
+from worlds.compiled.beside.wide import NUMBERS, WHOLES, WIDE, addresses, element_of, gather
+from worlds.compiled.jit import intrinsic
+from worlds.compiled.kinds import spread
+from worlds.compiled.lanes import pointer
+
+
+@intrinsic
+def counted(_, first, end):
+    """first, first + 1, ... of what is before `end`; the last of these again from there on."""
+
+    def codegen(context, builder, sig, args):
+        steps = ir.Constant(WHOLES.vector, list(range(WIDE)))
+        begin, last = (spread(context, builder, kind, value, WHOLES) for kind, value in zip(sig.args, args, strict=True))
+        each, last = builder.add(begin, steps), builder.sub(last, ir.Constant(WHOLES.vector, [1] * WIDE))
+        return builder.select(builder.icmp_signed("<", each, last), each, last)
+
+    return signature(WHOLES, first, end), codegen
+
+
+@intrinsic
+def each_of(_, array, rows):
+    """array[row] of each of the rows."""
+
+    def codegen(context, builder, sig, args):
+        struct = context.make_array(array)(context, builder, args[0])
+        stride = cgutils.unpack_tuple(builder, struct.strides, 1)[0]
+        base = builder.ptrtoint(struct.data, ir.IntType(64))
+        return gather(context, builder, array.dtype, addresses(context, builder, base, args[1], stride))
+
+    return signature(element_of(array.dtype), array, rows), codegen
+
+
+@intrinsic
+def put(_, array, rows, index, value):
+    """array[row, *index] of each of the rows becomes its lane of a value."""
+
+    def codegen(context, builder, sig, args):
+        struct = context.make_array(array)(context, builder, args[0])
+        strides = cgutils.unpack_tuple(builder, struct.strides, array.ndim)
+        at = builder.ptrtoint(struct.data, ir.IntType(64))
+        for kind, one, stride in zip(index.types, cgutils.unpack_tuple(builder, args[2], len(index)), strides[1:], strict=True):
+            at = builder.add(at, builder.mul(context.cast(builder, one, kind, types.intp), stride))
+        found = addresses(context, builder, at, args[1], strides[0])
+        number = spread(context, builder, value, args[3], element_of(array.dtype))
+        element = context.get_data_type(array.dtype)
+        for k in range(WIDE):
+            lane = ir.Constant(ir.IntType(32), k)
+            one = builder.extract_element(number, lane)
+            one = builder.zext(builder.trunc(one, ir.IntType(1)), element) if element == ir.IntType(8) else one
+            builder.store(one, builder.inttoptr(builder.extract_element(found, lane), element.as_pointer()))
+        return context.get_dummy_value()
+
+    return signature(types.none, array, rows, index, value), codegen
+
+
+@intrinsic
+def load_wide(_, array, index):
+    """WIDE numbers from array[index] on, contiguous."""
+
+    def codegen(context, builder, sig, args):
+        at = pointer(context, builder, sig.args[0], args[0], sig.args[1], args[1], NUMBERS.vector)
+        return builder.load(at, align=8)
+
+    return signature(NUMBERS, array, index), codegen
+
+
+@intrinsic
+def store_some(_, array, index, value, count):
+    """array[index] and the next ones, contiguous, become the first `count` of the lanes."""
+
+    def codegen(context, builder, sig, args):
+        number = spread(context, builder, sig.args[2], args[2], NUMBERS)
+        at = pointer(context, builder, sig.args[0], args[0], sig.args[1], args[1], NUMBERS.vector)
+        many = spread(context, builder, sig.args[3], args[3], WHOLES)
+        mask = builder.icmp_signed("<", ir.Constant(WHOLES.vector, list(range(WIDE))), many)
+        kind = ir.FunctionType(ir.VoidType(), [number.type, at.type, ir.IntType(32), mask.type])
+        called = cgutils.get_or_insert_function(builder.module, kind, f"llvm.masked.store.v{WIDE}f64.p0")
+        builder.call(called, [number, at, ir.IntType(32)(8), mask])
+        return context.get_dummy_value()
+
+    return signature(types.none, array, index, value, count), codegen
