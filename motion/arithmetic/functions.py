@@ -1,6 +1,6 @@
 """Elementary functions of numbers and of lanes, without a branch: calls of the system's would keep lanes apart.
 
-Within 4e-16 of the truth, or of its size where that is more than 1: a reduction of the argument, and the polynomials of
+Within 5e-16 of the truth, or of its size where that is more than 1: a reduction of the argument, and the polynomials of
 fdlibm (Sun Microsystems 1993) and of Cephes (Moshier 1989).
 """
 

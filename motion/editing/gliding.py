@@ -39,9 +39,10 @@ def glide(shown: Motion, solved: Motion) -> Motion:
     if seconds == inf:
         return solved
     goal = _in_short_pieces(solved.curve)
-    far = _farthest(_behind(shown, solved, goal, goal.time))
+    place = _behind(shown, solved, goal, goal.time)
+    far = _farthest(place)
     share = 1 - PACE * seconds / max(far, NEAR)
-    return solved if share * far < NEAR else _lagging(solved, goal, share * _lag(shown, solved, goal))
+    return solved if share * far < NEAR else _lagging(solved, goal, share * _lag(shown, solved, goal, place))
 
 
 def settle(shown: Motion, solved: Motion, seconds: float) -> Motion:
@@ -79,12 +80,12 @@ def _behind(shown: Motion, solved: Motion, goal: Curve, times: np.ndarray) -> np
     return np.asarray(states_at(shown.curve, np.interp(times, now, then))[:, :3] - states_at(goal, times)[:, :3])
 
 
-def _lag(shown: Motion, solved: Motion, goal: Curve) -> np.ndarray:
-    """The same at the control points of `goal`, with its velocity (m + 1, 6)."""
+def _lag(shown: Motion, solved: Motion, goal: Curve, place: np.ndarray) -> np.ndarray:
+    """That place (m + 1, 3) at the control points of `goal`, with its velocity (m + 1, 6)."""
     if np.array_equal(goal.time, shown.curve.time):
         return shown.curve.control - goal.control
     before, after = np.maximum(goal.time - SPAN, goal.time[0]), np.minimum(goal.time + SPAN, goal.time[-1])
-    place, first, last = (_behind(shown, solved, goal, times) for times in (goal.time, before, after))
+    first, last = (_behind(shown, solved, goal, times) for times in (before, after))
     lag = np.hstack([place, (last - first) / (after - before)[:, None]])
     lag[[0, -1]] = 0.0
     return lag

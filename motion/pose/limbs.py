@@ -83,20 +83,13 @@ def lay_tail(
     root: where it begins; angles: the body's yaw and pitch [rad].
     """
     body, (yaw, pitch), place = biped.body, angles, root
-    _put_place(tail, rows, 0, place)
+    put(tail, rows, (0,), place)
     step, moving = trunk.delay(biped), any_of(body.tail_length > 0.0)
     for k in range(TAIL):
         if moving:
             place = plus(place, _piece(biped, track, past, (yaw, pitch), t - (k + 1) * step, (k + 1) / TAIL))
             past = trunk.Past(past.before, past.long_before, trunk.place_before(biped, track.curve, t, k + 3))
-        _put_place(tail, rows, k + 1, place)
-
-
-@jit_borrowing
-def _put_place(array: np.ndarray, rows: Some, k: int, place: Triple) -> None:
-    put(array, rows, (k, 0), place[0])
-    put(array, rows, (k, 1), place[1])
-    put(array, rows, (k, 2), place[2])
+        put(tail, rows, (k + 1,), place)
 
 
 @jit_borrowing

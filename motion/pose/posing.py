@@ -70,9 +70,9 @@ pose_some = Part(_pose_some, 3)
 @jit_borrowing
 def _pose(biped: Dimensions, track: Track, t: float, pose: Pose, rows: Some) -> None:
     com, velocity, acceleration = state_at(track.curve, t)
-    _put_triple(pose.com, rows, com)
-    _put_triple(pose.com_velocity, rows, velocity)
-    _put_triple(pose.com_acceleration, rows, acceleration)
+    put(pose.com, rows, (), com)
+    put(pose.com_velocity, rows, (), velocity)
+    put(pose.com_acceleration, rows, (), acceleration)
     turn, roll = pelvis_at(biped, track.footprints, t)
     hips = Hips(body_heading(biped, track.footprints, t), turn, roll)
     left, right = pose_leg(biped, track, LEFT, com, hips, t), pose_leg(biped, track, RIGHT, com, hips, t)
@@ -101,53 +101,31 @@ def _put_costs(pose: Pose, rows: Some, com: Triple, acceleration: Triple, left: 
 
 
 @jit_borrowing
-def _put_triple(array: np.ndarray, rows: Some, value: Triple) -> None:
-    put(array, rows, (0,), value[0])
-    put(array, rows, (1,), value[1])
-    put(array, rows, (2,), value[2])
-
-
-@jit_borrowing
-def _put_quaternion(array: np.ndarray, rows: Some, value: tuple[Some, Some, Some, Some]) -> None:
-    put(array, rows, (0,), value[0])
-    put(array, rows, (1,), value[1])
-    put(array, rows, (2,), value[2])
-    put(array, rows, (3,), value[3])
-
-
-@jit_borrowing
-def _put_joint(array: np.ndarray, rows: Some, side: int, value: Triple) -> None:
-    put(array, rows, (side, 0), value[0])
-    put(array, rows, (side, 1), value[1])
-    put(array, rows, (side, 2), value[2])
-
-
-@jit_borrowing
 def _put_leg(pose: Pose, rows: Some, side: int, leg: Leg, shank: Shank) -> None:
-    _put_joint(pose.hip, rows, side, shank.hip)
-    _put_joint(pose.knee, rows, side, shank.knee)
-    _put_joint(pose.hock, rows, side, shank.hock)
-    _put_joint(pose.ankle, rows, side, shank.ankle)
-    _put_joint(pose.heel, rows, side, leg.foot.heel)
-    _put_joint(pose.ball, rows, side, leg.foot.ball)
-    _put_joint(pose.toe, rows, side, leg.foot.toe)
+    put(pose.hip, rows, (side,), shank.hip)
+    put(pose.knee, rows, (side,), shank.knee)
+    put(pose.hock, rows, (side,), shank.hock)
+    put(pose.ankle, rows, (side,), shank.ankle)
+    put(pose.heel, rows, (side,), leg.foot.heel)
+    put(pose.ball, rows, (side,), leg.foot.ball)
+    put(pose.toe, rows, (side,), leg.foot.toe)
     put(pose.contact, rows, (side,), leg.stands)
-    _put_joint(pose.point_of_support, rows, side, pick(leg.stands, leg.support, (np.nan, np.nan, np.nan)))
+    put(pose.point_of_support, rows, (side,), pick(leg.stands, leg.support, (np.nan, np.nan, np.nan)))
 
 
 @jit_borrowing
 def _put_upper(pose: Pose, rows: Some, upper: Upper) -> None:
-    _put_quaternion(pose.body_rotation_wxyz, rows, upper.body)
-    _put_quaternion(pose.pelvis_rotation_wxyz, rows, upper.pelvis)
-    _put_quaternion(pose.chest_rotation_wxyz, rows, upper.chest)
-    _put_quaternion(pose.head_rotation_wxyz, rows, upper.gaze)
-    _put_triple(pose.neck, rows, upper.neck)
-    _put_triple(pose.head, rows, upper.head)
+    put(pose.body_rotation_wxyz, rows, (), upper.body)
+    put(pose.pelvis_rotation_wxyz, rows, (), upper.pelvis)
+    put(pose.chest_rotation_wxyz, rows, (), upper.chest)
+    put(pose.head_rotation_wxyz, rows, (), upper.gaze)
+    put(pose.neck, rows, (), upper.neck)
+    put(pose.head, rows, (), upper.head)
     for side in range(2):
         shoulder, elbow, hand = upper.arms[side]
-        _put_joint(pose.shoulder, rows, side, shoulder)
-        _put_joint(pose.elbow, rows, side, elbow)
-        _put_joint(pose.hand, rows, side, hand)
+        put(pose.shoulder, rows, (side,), shoulder)
+        put(pose.elbow, rows, (side,), elbow)
+        put(pose.hand, rows, (side,), hand)
 
 
 def pose_into(biped: Dimensions, track: Track, time: float, pose: Pose) -> None:

@@ -43,16 +43,14 @@ class Rehearsal(Performance):
 
         released: they are what was shown; `acts` are what is solved at once, and what is drawn glides there.
         """
-        same = world is self.world and not whole
-        acts = self._acts(tracks, world, self.solved if world is self.world else [], whole)
-        glides = same or (world is self.world and released)
-        self.solved, self.drawn = acts, _gliding(self.drawn, acts) if glides else acts
+        same = world is self.world
+        acts = self._acts(tracks, world, self.solved if same else [], whole)
+        self.solved, self.drawn = acts, _gliding(self.drawn, acts) if same and (released or not whole) else acts
         self.tracks = list(tracks)
-        kinds = [one.character for one in acts]
-        if not same and world is not self.world or kinds != self.characters or not self._has_room(self.drawn):
-            self._begin(self.drawn, world)
-        else:
+        if same and [one.character for one in acts] == self.characters and self._has_room(self.drawn):
             self.show(self.drawn)
+        else:
+            self._begin(self.drawn, world)
         if whole:
             self.acts = self.solved
 

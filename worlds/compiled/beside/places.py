@@ -1,5 +1,7 @@
 """Where numbers side by side come from, and where they are put: entries of an array, contiguous or of any rows."""
 
+from typing import Any
+
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.typing.templates import signature
@@ -38,25 +40,34 @@ def each_of(_, array, rows):
 
 @intrinsic
 def put(_, array, rows, index, value):
-    """array[row, *index] of each of the rows becomes its lane of a value."""
+    """array[row, *index] of each of the rows becomes its lane of a value; array[row, *index, k] that of entry k of a tuple."""
 
     def codegen(context, builder, sig, args):
         struct = context.make_array(array)(context, builder, args[0])
         strides = cgutils.unpack_tuple(builder, struct.strides, array.ndim)
-        at = builder.ptrtoint(struct.data, ir.IntType(64))
-        for kind, one, stride in zip(index.types, cgutils.unpack_tuple(builder, args[2], len(index)), strides[1:], strict=True):
+        at, many = builder.ptrtoint(struct.data, ir.IntType(64)), isinstance(value, types.BaseTuple)
+        for kind, one, stride in zip(
+            index.types, cgutils.unpack_tuple(builder, args[2], len(index)), strides[1:], strict=False
+        ):
             at = builder.add(at, builder.mul(context.cast(builder, one, kind, types.intp), stride))
-        found = addresses(context, builder, at, args[1], strides[0])
-        number = spread(context, builder, value, args[3], element_of(array.dtype))
-        element = context.get_data_type(array.dtype)
-        for k in range(WIDE):
-            lane = ir.Constant(ir.IntType(32), k)
-            one = builder.extract_element(number, lane)
-            one = builder.zext(builder.trunc(one, ir.IntType(1)), element) if element == ir.IntType(8) else one
-            builder.store(one, builder.inttoptr(builder.extract_element(found, lane), element.as_pointer()))
+        kinds = value.types if many else (value,)
+        for kind, one in zip(kinds, cgutils.unpack_tuple(builder, args[3], len(kinds)) if many else [args[3]], strict=True):
+            found = addresses(context, builder, at, args[1], strides[0])
+            _scatter(context, builder, array.dtype, found, spread(context, builder, kind, one, element_of(array.dtype)))
+            at = builder.add(at, strides[-1])
         return context.get_dummy_value()
 
     return signature(types.none, array, rows, index, value), codegen
+
+
+def _scatter(context: Any, builder: Any, dtype: Any, found: Any, number: Any) -> None:
+    """Each lane of a number to its address."""
+    element = context.get_data_type(dtype)
+    for k in range(WIDE):
+        lane = ir.Constant(ir.IntType(32), k)
+        one = builder.extract_element(number, lane)
+        one = builder.zext(builder.trunc(one, ir.IntType(1)), element) if element == ir.IntType(8) else one
+        builder.store(one, builder.inttoptr(builder.extract_element(found, lane), element.as_pointer()))
 
 
 @intrinsic
