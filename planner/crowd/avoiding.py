@@ -9,7 +9,7 @@ from motion.arithmetic.angles import wrapped
 from motion.track.footprints import step_onto
 from planner.crowd.candidates import QUICK, Candidate, candidate_to
 from planner.crowd.choosing import STANDING
-from planner.crowd.sides import Passage, keep_right
+from planner.crowd.sides import keep_right, straight_on
 from planner.crowd.walker import CROWDED, PRESSED, Walker, calmed, walker_of
 from planner.round import reservations
 from planner.round.round import Me, Round, Wish, biped_of, standing
@@ -100,7 +100,7 @@ def give_way(round: Round, me: Me, wish: Wish, choose: Choice) -> Wish:
         return wish
     if step.stands > 0:
         return _let_by(round, me, wish, near[: max(count, 0)], choose)
-    biped, taken, passage = biped_of(round, me), STANDING, Passage(wish.course, 0.0, 0.0)
+    biped, taken, passage = biped_of(round, me), STANDING, straight_on(wish.course, 0.0)
     if wish.goes:
         passage = keep_right(round, c, middle_beside(biped, me.feet.newer), wish.course)
     walker = walker_of(round, me, passage.course)

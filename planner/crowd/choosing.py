@@ -239,7 +239,7 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
     see(round.reservations, walker, aim, float(walker.hindered), near, others)
     close, dense = close[: close_by(round, walker, others, close)], dense[: _dense(round, walker, others, dense)]
     scratch = Scratch(others, close, dense, cost, _truths(), length, _steps())
-    right = max(on_the_right(walker, others, round.reservations.reach), left) if round.weights[round.kind[c]].side > 0 else 0.0
+    right = max(on_the_right(walker, others, aim, round.reservations.reach), left)
     _lay(round, walker, right, wished, scratch)
     while True:
         k = _cheapest(round, walker, right, scratch)

@@ -18,9 +18,9 @@ class Weights(NamedTuple):
     """Of speed lost on the wished course; more of it presses on, and turns aside less."""
     turn: float = 0.15
     """Of a radian that the foot turns off the wished course, or the body goes off its heading: more of it walks straighter."""
-    gap: float = 0.9
+    gap: float = 0.94
     """Time gap kept to who is ahead, in swings: more of it follows from further behind, and flows less."""
-    ahead: float = 3.6
+    ahead: float = 3.4
     """How far one looks at how dense it is ahead, in strides, to walk as slowly as that tells: more of it speeds up sooner
     where a throng ends ahead, and flows more; 0 does not look."""
     touch: float = 0.35
@@ -38,7 +38,7 @@ class Weights(NamedTuple):
     turn leads nowhere."""
     rank: float = 2.5
     """Of resting where one who has waited longer would go: more of it makes way, and backs off, sooner."""
-    stand: float = 0.05
+    stand: float = 0.12
     """Of standing still: more of it shuffles on."""
     model: str = "steps"
     """Who reads the table, one of MODELS."""

@@ -73,8 +73,8 @@ def _file(weights: Weights) -> Flow:
 
 
 def _behind(flow: Flow) -> float:
-    """How far each is behind the one before it at the end [m]."""
-    return float(-np.diff(flow.place[-1, :, 0]).mean())
+    """How far each is behind the one before it in the last three seconds, on average [m]."""
+    return float(-np.diff(flow.place[-3 * PER_SECOND :, :, 0], axis=1).mean())
 
 
 def _party(weights: Weights) -> Flow:
@@ -118,8 +118,8 @@ def _off_middle(flow: Flow) -> float:
 
 
 def _door(weights: Weights) -> Flow:
-    """Ten a side go against each other through a door for one."""
-    sim = flows.counterflow(10, 0.8, weights)
+    """Ten a side go against each other through a door for one, by a seed with which it tells."""
+    sim = flows.counterflow(10, 0.8, weights, seed=4)
     return flows.watched(sim, 60.0, sim.world.size[0] / 2, bodies=True)
 
 

@@ -6,7 +6,7 @@ import pytest
 from motion.characters.character import load_character
 from motion.track.footprints import Feet, Foot, Footprints
 from planner.crowd.neighbour import NEIGHBOUR, see
-from planner.crowd.sides import keep_right
+from planner.crowd.sides import MOST, keep_right
 from planner.modes.walk_to import WalkTo, is_there
 from planner.planner import Situation
 from planner.round.reservations import Intents, empty_reservations, sort_into_cells
@@ -163,6 +163,29 @@ def test_a_narrow_place_is_passed_on_the_right_where_anyone_comes():
     assert lane(6.4).course < lane(6.0).course < -0.1 and lane(5.5).course == 0 and lane(6.0, comes=False).course == 0
     assert lane(6.4).left > lane(6.0).left > 0 == lane(5.5).left, "it does not wait where they come out"
     assert lane(6.0, at=4.5).course == 0, "who is on this side of the gap does not come through it"
+
+
+def door(mine, theirs, fellow=None):
+    """How a bird at so far before a gap of 0.9 m at 5, 6 passes it, where another comes from so far behind it, and a fellow."""
+    trees = np.array([(5.0, 6 + side * k, 0.3) for side in (-1, 1) for k in np.arange(0.75, 5.8, 0.4)])
+    held = nothing_held(3)
+    held.path[:, :, 1], held.aim[:] = 6.0, (1.0, 0.0)
+    held.path[1, :, 0], held.aim[1] = 5.0 + theirs, (-1.0, 0.0)
+    held.path[2, :, 0] = 5.0 - (mine if fellow is None else fellow)
+    return passed(held, trees, (5.0 - mine, 6.0), 0.0)
+
+
+def test_through_a_door_that_is_too_narrow_for_two_ways_those_who_are_nearest_go_first():
+    assert door(0.8, 1.2).left == 0 == door(0.8, 1.2).course, "the others wait"
+    assert door(1.2, 0.8).left == MOST and door(1.2, 0.8, fellow=0.5).left == 0, "or I do, unless I follow one of mine"
+    assert door(2.0, 0.8).left < MOST and door(3.5, 0.8).left == 0, "out of the way of those who come out, and no further"
+
+
+@pytest.mark.parametrize(("count", "width"), [(20, 0.9), (20, 1.2), (12, 0.9), (10, 0.8)])
+def test_those_who_meet_in_a_narrow_door_come_through_it_in_bursts(count, width):
+    for seed in (3, 4):
+        sim = flows.counterflow(count, width, seed=seed)
+        assert flows.last_through(flows.watched(sim, 90.0, sim.world.size[0] / 2)) < 75
 
 
 def in_the_open(count, comes=True, trees=(), weights=PEOPLE):

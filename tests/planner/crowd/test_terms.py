@@ -128,10 +128,14 @@ def test_who_has_the_right_of_way_is_let_through():
 
 def test_who_comes_against_one_belongs_on_the_left():
     me = waiting()
-    ahead, left, right = (on_the_right(me, other(2.0, y, -1.0, along=-1.0), 4.0) for y in (0.0, 1.0, -0.4))
+    east = (1.0, 0.0)
+    ahead, left, right = (on_the_right(me, other(2.0, y, -1.0, along=-1.0), east, 4.0) for y in (0.0, 1.0, -0.4))
     assert left == 0 and right == pytest.approx(ahead) == pytest.approx(0.5)
-    assert on_the_right(me, other(2.0, -0.4), 4.0) == 0, "who goes the same way may be on either side"
-    assert on_the_right(me, other(-1.0, 0.0, along=-1.0), 4.0) == 0 == on_the_right(me, other(5.0, 0.0, along=-1.0), 4.0)
+    assert on_the_right(me, other(2.0, -0.4), east, 4.0) == 0, "who goes the same way may be on either side"
+    behind, far = (on_the_right(me, other(x, 0.0, along=-1.0), east, 4.0) for x in (-1.0, 5.0))
+    assert behind == 0 == far
+    around = (0.6, -0.8)  # behind a wall on the right, around whose end my way leads
+    assert on_the_right(me, other(2.0, -0.4, -1.0, along=-1.0), around, 4.0) == 0, "whom my way leaves on the left"
     assert wrong_side(me, 0.8, 0.0, -0.5) < 0 == wrong_side(me, 0.8, 1.0, 0.0), "a step to the right mends it"
     assert wrong_side(me, 2.0, -0.5, 0.0) < 0 < wrong_side(me, 2.0, 0.5, 0.0), "in their lane one goes back"
 
