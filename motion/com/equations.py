@@ -3,7 +3,7 @@
 With h_k the weights of the piece's four coefficients in the com and bend_k those in the acceleration, both polynomials in the
 share s of the piece, a sample's model (motion.com.cost) sees omega_k = bend_k / T^2 - phi h_k, so it adds omega_k omega_l M +
 h_k h_l C to the 3x3 block of coefficients k and l, C the comfort's matrix: ten symmetric blocks, 120 multiply-adds per sample,
-LANES pieces at once. A coefficient couples with the next three, so H is a band of twelve.
+WIDE pieces at once. A coefficient couples with the next three, so H is a band of twelve.
 """
 
 from typing import NamedTuple
@@ -18,9 +18,11 @@ from motion.com.problem import Problem
 from motion.track.basis import ORDER, Basis
 from motion.track.curve import Weights
 from motion.track.footprints import LEFT, RIGHT
-from worlds.compiled.across import bits_of, total, total_in_turn, turned
+from worlds.compiled.across import bits_of, isnt, total, total_in_turn, turned
+from worlds.compiled.beside.places import counted, each_of, load_wide
+from worlds.compiled.beside.wide import WIDE
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, Some, lanes_of, load, root, store
+from worlds.compiled.lanes import LANES, Some, load, root, store
 
 BAND, WIDTH = 12, 16
 """Entries of a column from the diagonal down; with room for Lanes that begin at any of them."""
@@ -59,15 +61,15 @@ class Equations(NamedTuple):
 
     band: np.ndarray  # (3 n + BAND, WIDTH) [column, row - column], the lower triangle
     gradient: np.ndarray  # (3 n + WIDTH,)
-    blocks: np.ndarray  # (61, LANES) of LANES pieces: ten lower triangles of six, coefficients k >= l as 00 10 11 20 ...; zero
-    slopes: np.ndarray  # (4, 3, LANES) their gradients
+    blocks: np.ndarray  # (61, WIDE) of WIDE pieces: ten lower triangles of six, coefficients k >= l as 00 10 11 20 ...; zero
+    slopes: np.ndarray  # (4, 3, WIDE) their gradients
 
 
 @jit
 def empty_equations(n: int) -> Equations:
     """Of n coefficients."""
     return Equations(
-        np.zeros((3 * n + BAND, WIDTH)), np.zeros(3 * n + WIDTH), np.zeros((_NOTHING + 1, LANES)), np.zeros((4, 3, LANES))
+        np.zeros((3 * n + BAND, WIDTH)), np.zeros(3 * n + WIDTH), np.zeros((_NOTHING + 1, WIDE)), np.zeros((4, 3, WIDE))
     )
 
 
@@ -75,7 +77,7 @@ def empty_equations(n: int) -> Equations:
 def _add_both(rows: np.ndarray, first: int, a: Some, physics: tuple, b: Some, comfort: tuple) -> None:
     """The rows from `first` on get a times the numbers of one model and b times those of another."""
     for r in range(len(physics)):
-        store(rows, (first + r, 0), load(rows, (first + r, 0)) + (a * physics[r] + b * comfort[r]))
+        store(rows, (first + r, 0), load_wide(rows, (first + r, 0)) + (a * physics[r] + b * comfort[r]))
 
 
 @jit_inline
@@ -96,7 +98,7 @@ def _add_models(
 def _add_scaled(rows: np.ndarray, first: int, a: Some, numbers: tuple) -> None:
     """The rows from `first` on get a times the numbers, of which there are as many as of a gradient, or of a lower triangle."""
     for r in range(len(numbers)):
-        store(rows, (first + r, 0), load(rows, (first + r, 0)) + a * numbers[r])
+        store(rows, (first + r, 0), load_wide(rows, (first + r, 0)) + a * numbers[r])
 
 
 @jit_inline
@@ -113,24 +115,31 @@ def _add_model(equations: Equations, scale: Some, h: Weights, model: PhysicsMode
 @jit_inline
 def _put_pieces(equations: Equations, first: np.ndarray, i: int, count: int) -> None:
     """Adds the blocks of so many pieces from i on to the equations of their coefficients, the `first` of which each has."""
+    for k in range(0, count, LANES):
+        _put_blocks(equations, first, i, k, count - k)
+    for k in range(count):
+        for j in range(ORDER):
+            for axis in range(3):
+                equations.gradient[3 * (first[i + k] + j) + axis] += equations.slopes[j, axis, k]
+
+
+@jit_inline
+def _put_blocks(equations: Equations, first: np.ndarray, i: int, k: int, count: int) -> None:
+    """Adds the blocks of LANES pieces from i + k on, or of the `count` that there are."""
     band, blocks = equations.band, equations.blocks
     for n in range(len(_COLUMN)):
         c, d = _COLUMN[n], _DOWN[n]
         x, y, z, w = turned(
-            load(blocks, (_ENTRY[n, 0], 0)), load(blocks, (_ENTRY[n, 1], 0)), load(blocks, (_ENTRY[n, 2], 0)),
-            load(blocks, (_ENTRY[n, 3], 0)),
+            load(blocks, (_ENTRY[n, 0], k)), load(blocks, (_ENTRY[n, 1], k)), load(blocks, (_ENTRY[n, 2], k)),
+            load(blocks, (_ENTRY[n, 3], k)),
         )  # fmt: skip
-        _add_down(band, 3 * first[i] + c, d, x)
+        _add_down(band, 3 * first[i + k] + c, d, x)
         if count > 1:
-            _add_down(band, 3 * first[i + 1] + c, d, y)
+            _add_down(band, 3 * first[i + k + 1] + c, d, y)
         if count > 2:
-            _add_down(band, 3 * first[i + 2] + c, d, z)
+            _add_down(band, 3 * first[i + k + 2] + c, d, z)
         if count > 3:
-            _add_down(band, 3 * first[i + 3] + c, d, w)
-    for lane in range(count):
-        for k in range(ORDER):
-            for axis in range(3):
-                equations.gradient[3 * (first[i + lane] + k) + axis] += equations.slopes[k, axis, lane]
+            _add_down(band, 3 * first[i + k + 3] + c, d, w)
 
 
 @jit_inline
@@ -159,7 +168,7 @@ def _sum_samples(problem: Problem, pieces: Pieces, i: int, eps: float, equations
     """Fills blocks and slopes with the models of all samples of the pieces from i on; returns their E in lanes."""
     samples = problem.support_point.shape[0]
     e = lay_jerk(samples * problem.jerk_weight, pieces, equations.blocks, equations.slopes)
-    gravity = load(problem.gravity, (i,))
+    gravity = load_wide(problem.gravity, (i,))
     for j in range(samples):
         h, bends = weights_at(pieces, (j + 0.5) / samples)
         com, (x, y, z) = mix_all(h, pieces), mix_all(bends, pieces)
@@ -179,21 +188,20 @@ def _sum_samples(problem: Problem, pieces: Pieces, i: int, eps: float, equations
 @jit_inline
 def _reach_of_leg(problem: Problem, i: int, end: int, leg: int, com: Three) -> ComfortModel:
     """motion.com.cost.reach_model of one leg at one end of the pieces from i on, where that can move."""
-    fixed, last = problem.fixed[end:], len(problem.time) - 2
-    at = fixed[i], fixed[min(i + 1, last)], fixed[min(i + 2, last)], fixed[min(i + 3, last)]
-    on = load(problem.end_standing, (end, leg, i)) & (lanes_of(at[0], at[1], at[2], at[3]) < 0.5)
-    limit = load(problem.end_reach, (end, leg, i)) * problem.max_length[leg]
+    held = each_of(problem.fixed, counted(i, len(problem.time) - 1) + end, ())
+    on = load_wide(problem.end_standing, (end, leg, i)) & isnt(held)
+    limit = load_wide(problem.end_reach, (end, leg, i)) * problem.max_length[leg]
     return cost.reach_model(com, problems.triple(problem.end_origin, end, leg, i), on, limit, problem.comfort_weight)
 
 
 @jit_inline
 def _add_reach_at(problem: Problem, pieces: Pieces, i: int, end: int, h: Weights, equations: Equations) -> Some:
     """Adds the reach penalties at one end of the pieces from i on; returns them in lanes. h: weights of the com there."""
-    com, one = mix_all(h, pieces), lanes_of(1.0, 1.0, 1.0, 1.0)
+    com, none = mix_all(h, pieces), 0.0 * pieces.scale
     if not problems.reaches_beyond(problem, i, end, com):
-        return 0.0 * one
+        return none
     left, right = _reach_of_leg(problem, i, end, LEFT, com), _reach_of_leg(problem, i, end, RIGHT, com)
-    _add_model(equations, one, h, _both(left, right))
+    _add_model(equations, none + 1.0, h, _both(left, right))
     return left.cost + right.cost
 
 
@@ -205,13 +213,13 @@ def assemble(problem: Problem, basis: Basis, coefficients: np.ndarray, eps: floa
     m, e = len(problem.time) - 1, _add_anchor(problem, basis, coefficients, equations)
     for n in range(len(problem.pull)):
         e += springs.add_pull(problem.pull[n], basis, coefficients, equations.gradient, equations.band)
-    for i in range(0, m, LANES):
+    for i in range(0, m, WIDE):
         pieces = pieces_from(problem.time, problem.weight, problem.support_point.shape[0], basis, coefficients, i)
         e += total(_sum_samples(problem, pieces, i, eps, equations))
         begins = _add_reach_at(problem, pieces, i, 0, begin_weights(pieces), equations)
         ends = _add_reach_at(problem, pieces, i, 1, end_weights(pieces), equations)
         e += total_in_turn(begins, ends)
-        _put_pieces(equations, basis.first, i, min(LANES, m - i))
+        _put_pieces(equations, basis.first, i, min(WIDE, m - i))
     return e
 
 

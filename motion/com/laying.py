@@ -18,7 +18,7 @@ from motion.track.footprints import Footprints
 from motion.track.heading import body_headings
 from motion.track.leg import FULL_REACH, landing_reach, leaving_reach, nominal_at
 from motion.track.pelvis import pelvis_after, pelvis_turns
-from motion.track.pieces import BRIEF, flies, flown, in_pieces
+from motion.track.pieces import BRIEF, fineness, flies, flown, in_pieces
 from worlds.compiled.beside.places import load_wide, store_some
 from worlds.compiled.beside.wide import WIDE
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
@@ -216,7 +216,7 @@ def build_problem(
     if layout.by_step:
         m = phases.merge_by_step(time, support, m)
     if layout.smooth:
-        cut = in_pieces(biped, footprints, time[: m + 1], support[:m], layout.steady)
+        cut = in_pieces(biped, footprints, time[: m + 1], support[:m], fineness(footprints, layout.steady, layout.rough))
         time, support, m = cut.time, cut.support, len(cut.support)
     leg, smooth = biped.leg, layout.smooth
     problem = problems.empty_problem(

@@ -32,7 +32,7 @@ class Effort(NamedTuple):
 
 TIGHT = Effort(9, 3.0, 3e-4, 60, 1e-7)
 SCENE = Effort(4, 3.0, 1e-3, 100, 1e-4)
-LIVE = Effort(1, 3e-4, 3e-4, 16, 1e-2)
+LIVE = Effort(1, 3e-4, 3e-4, 16, 2e-2)
 HARDER = Effort(4, 1.0, 3e-3, 10, 1e-3)
 ANEW = Effort(4, 1.0, 3e-3, 20, 1e-3)
 """From a cold start: with half as many iterations windows of walks ended far from the optimum, and bodies were thrown about."""

@@ -1,4 +1,4 @@
-"""Pieces of a curve in Lanes: the coefficients that LANES of them depend on, and their weights at a share of the piece."""
+"""Pieces of a curve in Lanes: the coefficients that WIDE of them depend on, and their weights at a share of the piece."""
 
 from typing import NamedTuple
 
@@ -7,12 +7,13 @@ import numpy as np
 from motion.com.cost import Three, mix
 from motion.track.basis import ORDER, Basis
 from motion.track.curve import Weights
+from worlds.compiled.beside.places import counted, counting, each_of, load_wide
 from worlds.compiled.jit import jit_inline
-from worlds.compiled.lanes import Some, lanes_of, load, store
+from worlds.compiled.lanes import Some, store
 
 
 class Pieces(NamedTuple):
-    """LANES pieces from one on; beyond the last lie copies of it that count for nothing."""
+    """WIDE pieces from one on; beyond the last lie copies of it that count for nothing."""
 
     duration: Some  # lanes [s]
     scale: Some  # lanes: time per sample [s]
@@ -26,34 +27,30 @@ class Pieces(NamedTuple):
 @jit_inline
 def _powers(basis: Basis, k: int, i: int) -> Weights:
     weights = basis.weights
-    return load(weights, (k, 0, i)), load(weights, (k, 1, i)), load(weights, (k, 2, i)), load(weights, (k, 3, i))
+    return (
+        load_wide(weights, (k, 0, i)),
+        load_wide(weights, (k, 1, i)),
+        load_wide(weights, (k, 2, i)),
+        load_wide(weights, (k, 3, i)),
+    )
 
 
 @jit_inline
-def _along(coefficients: np.ndarray, at: tuple[int, int, int, int], axis: int) -> Weights:
-    i, j, k, n = at
-    c = coefficients
-    return (
-        lanes_of(c[i, axis], c[j, axis], c[k, axis], c[n, axis]),
-        lanes_of(c[i + 1, axis], c[j + 1, axis], c[k + 1, axis], c[n + 1, axis]),
-        lanes_of(c[i + 2, axis], c[j + 2, axis], c[k + 2, axis], c[n + 2, axis]),
-        lanes_of(c[i + 3, axis], c[j + 3, axis], c[k + 3, axis], c[n + 3, axis]),
-    )
+def _along(coefficients: np.ndarray, first: Some, axis: int) -> Weights:
+    c, at = coefficients, (axis,)
+    return each_of(c, first, at), each_of(c, first + 1, at), each_of(c, first + 2, at), each_of(c, first + 3, at)
 
 
 @jit_inline
 def pieces_from(time: np.ndarray, weight: np.ndarray, samples: int, basis: Basis, coefficients: np.ndarray, i: int) -> Pieces:
     """The Pieces from i on, of those between time (m + 1,), of weight (M,), with so many samples each."""
-    last, first = len(time) - 2, basis.first
-    j, k, n = min(i + 1, last), min(i + 2, last), min(i + 3, last)
-    duration = lanes_of(time[i + 1] - time[i], time[j + 1] - time[j], time[k + 1] - time[k], time[n + 1] - time[n])
-    counts = lanes_of(1.0, min(last - i, 1), min(max(last - i - 1, 0), 1), min(max(last - i - 2, 0), 1))
-    at = (first[i], first[j], first[k], first[n])
-    scale = load(weight, (i,)) * counts * duration / samples
+    at = counted(i, len(time) - 1)
+    duration, first = each_of(time, at + 1, ()) - each_of(time, at, ()), each_of(basis.first, at, ())
+    scale = counting(i, len(time) - 1) * load_wide(weight, (i,)) * duration / samples
     powers = (_powers(basis, 0, i), _powers(basis, 1, i), _powers(basis, 2, i), _powers(basis, 3, i))
     return Pieces(
         duration, scale, 1 / (duration * duration), powers,
-        _along(coefficients, at, 0), _along(coefficients, at, 1), _along(coefficients, at, 2),
+        _along(coefficients, first, 0), _along(coefficients, first, 1), _along(coefficients, first, 2),
     )  # fmt: skip
 
 

@@ -3,7 +3,7 @@
     E = sum over segments of T / S * sum over S samples of (e_physics + e_comfort),   samples at (j + 1/2) T / S
 
 Everything of a sample that does not depend on the unknown control points (who stands, points of support, where the leg
-begins) is laid down once; solvers move control points. Segments are the last axis of every array: LANES are worked on at once.
+begins) is laid down once; solvers move control points. Segments are the last axis of every array: WIDE are worked on at once.
 """
 
 from typing import NamedTuple
@@ -16,9 +16,10 @@ from motion.com.cost import ComfortModel, PhysicsModel, Three, mix
 from motion.track.curve import Weights, acceleration_weights, position_weights
 from motion.track.footprints import LEFT, RIGHT
 from worlds.compiled.across import bits_of, total
+from worlds.compiled.beside.places import counted, counting, each_of, load_wide
 from worlds.compiled.beside.wide import WIDE
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, Some, lanes_of, load
+from worlds.compiled.lanes import Some
 
 STRENGTH_WEIGHT = 0.12
 """Of what a force is beyond the strength of the legs, squared [s^2/m]."""
@@ -32,6 +33,7 @@ class Layout(NamedTuple):
     smooth: bool  # several segments to a phase, and no jump of the acceleration between segments; else one
     steady: bool  # and so many, whatever the times, that the curve moves by no jump where timing is changed little by little
     jerk_weight: float  # of |jerk|^2 [s^3/m]: less lets forces flutter, more rounds them off
+    rough: int = 0  # last steps whose single stances are one segment each: they will be solved again before they are walked
 
 
 class Problem(NamedTuple):
@@ -112,7 +114,7 @@ def with_effort(problem: Problem, strength: float, jerk_weight: float, pull: np.
 
 
 class Segments(NamedTuple):
-    """LANES segments from one on; beyond the last lie copies of it that count for nothing."""
+    """WIDE segments from one on; beyond the last lie copies of it that count for nothing."""
 
     duration: Some  # lanes [s]
     scale: Some  # lanes: time per sample [s]
@@ -123,28 +125,23 @@ class Segments(NamedTuple):
 
 
 @jit_inline
-def _knots(control: np.ndarray, at: tuple[int, int, int, int], duration: Some, axis: int) -> tuple[Some, Some, Some, Some]:
-    i, j, k, n = at
+def _knots(control: np.ndarray, at: Some, duration: Some, axis: int) -> tuple[Some, Some, Some, Some]:
+    place, speed = (axis,), (3 + axis,)
     return (
-        lanes_of(control[i, axis], control[j, axis], control[k, axis], control[n, axis]),
-        duration * lanes_of(control[i, 3 + axis], control[j, 3 + axis], control[k, 3 + axis], control[n, 3 + axis]),
-        lanes_of(control[i + 1, axis], control[j + 1, axis], control[k + 1, axis], control[n + 1, axis]),
-        duration
-        * lanes_of(control[i + 1, 3 + axis], control[j + 1, 3 + axis], control[k + 1, 3 + axis], control[n + 1, 3 + axis]),
-    )
+        each_of(control, at, place), duration * each_of(control, at, speed),
+        each_of(control, at + 1, place), duration * each_of(control, at + 1, speed),
+    )  # fmt: skip
 
 
 @jit_inline
 def segments_from(problem: Problem, control: np.ndarray, i: int) -> Segments:
     """The Segments from i on."""
-    time, last = problem.time, len(problem.time) - 2
-    at = (i, min(i + 1, last), min(i + 2, last), min(i + 3, last))
-    j, k, n = at[1:]
-    duration = lanes_of(time[i + 1] - time[i], time[j + 1] - time[j], time[k + 1] - time[k], time[n + 1] - time[n])
-    counts = lanes_of(1.0, min(last - i, 1), min(max(last - i - 1, 0), 1), min(max(last - i - 2, 0), 1))
+    time, end = problem.time, len(problem.time) - 1
+    at = counted(i, end)
+    duration = each_of(time, at + 1, ()) - each_of(time, at, ())
     return Segments(
         duration,
-        load(problem.weight, (i,)) * counts * duration / problem.support_point.shape[0],
+        counting(i, end) * load_wide(problem.weight, (i,)) * duration / problem.support_point.shape[0],
         1 / (duration * duration),
         _knots(control, at, duration, 0),
         _knots(control, at, duration, 1),
@@ -164,22 +161,23 @@ def state_of_sample(segments: Segments, gravity: Some, h: Weights, bends: Weight
 @jit_inline
 def triple(array: np.ndarray, j: int, leg: int, i: int) -> Three:
     """array[j, leg, :, i] and the next ones as three lanes."""
-    return load(array, (j, leg, 0, i)), load(array, (j, leg, 1, i)), load(array, (j, leg, 2, i))
+    return load_wide(array, (j, leg, 0, i)), load_wide(array, (j, leg, 1, i)), load_wide(array, (j, leg, 2, i))
 
 
 @jit_inline
 def physics_of_sample(problem: Problem, i: int, j: int, com: Three, w: Three, eps: float) -> PhysicsModel:
     """motion.com.cost.physics_model of sample j of the segments from i on."""
     s0, s1 = triple(problem.support_point, j, 0, i), triple(problem.support_point, j, 1, i)
-    return cost.physics_model(com, w, s0, s1, load(problem.standing, (j, 0, i)), load(problem.standing, (j, 1, i)), eps)
+    on0, on1 = load_wide(problem.standing, (j, 0, i)), load_wide(problem.standing, (j, 1, i))
+    return cost.physics_model(com, w, s0, s1, on0, on1, eps)
 
 
 @jit_inline
 def comfort_of_leg(problem: Problem, i: int, j: int, leg: int, com: Three) -> ComfortModel:
     """motion.com.cost.comfort_model of one leg in sample j of the segments from i on."""
-    q, on = triple(problem.leg_origin, j, leg, i), load(problem.standing, (j, leg, i))
-    nominal = load(problem.nominal_length, (j, leg, i))
-    weight = problem.comfort_weight * load(problem.comfort_share, (i,))
+    q, on = triple(problem.leg_origin, j, leg, i), load_wide(problem.standing, (j, leg, i))
+    nominal = load_wide(problem.nominal_length, (j, leg, i))
+    weight = problem.comfort_weight * load_wide(problem.comfort_share, (i,))
     return cost.comfort_model(com, q, on, nominal, problem.max_length[leg], weight)
 
 
@@ -195,9 +193,9 @@ def reaches_beyond(problem: Problem, i: int, end: int, com: Three) -> bool:
     """Whether a leg is longer than max_length at one end of any of the segments from i on, where their coms are given."""
     found = 0
     for leg in range(2):
-        q, on = triple(problem.end_origin, end, leg, i), load(problem.end_standing, (end, leg, i))
+        q, on = triple(problem.end_origin, end, leg, i), load_wide(problem.end_standing, (end, leg, i))
         x, y, z = com[0] - q[0], com[1] - q[1], com[2] - q[2]
-        limit = problem.max_length[leg] * load(problem.end_reach, (end, leg, i))
+        limit = problem.max_length[leg] * load_wide(problem.end_reach, (end, leg, i))
         found |= bits_of(on & (x * x + y * y + z * z > limit * limit))
     return found != 0
 
@@ -206,7 +204,7 @@ def reaches_beyond(problem: Problem, i: int, end: int, com: Three) -> bool:
 def reach_cost(problem: Problem, control: np.ndarray, i: int) -> float:
     """The reach penalties at the ends of the segments from i on that can move."""
     e = 0.0
-    for k in range(i, min(i + LANES, len(problem.time) - 1)):
+    for k in range(i, min(i + WIDE, len(problem.time) - 1)):
         for end in range(2):
             if not problem.fixed[k + end]:
                 share = problem.end_reach[end, :, k]
@@ -231,9 +229,9 @@ def _jerk_cost(problem: Problem, segments: Segments) -> Some:
 
 @jit_borrowing
 def costs_from(problem: Problem, control: np.ndarray, i: int, eps: float) -> tuple[float, float]:
-    """The share in E of the LANES segments from i on: (as the solver smooths it, the true norm)."""
+    """The share in E of the WIDE segments from i on: (as the solver smooths it, the true norm)."""
     samples = problem.support_point.shape[0]
-    segments, gravity = segments_from(problem, control, i), load(problem.gravity, (i,))
+    segments, gravity = segments_from(problem, control, i), load_wide(problem.gravity, (i,))
     smooth, true = 0.0 * segments.scale, _jerk_cost(problem, segments)
     smooth += true
     for j in range(samples):
@@ -255,7 +253,7 @@ def total_costs(problem: Problem, control: np.ndarray, eps: float) -> tuple[floa
     if len(problem.pull):
         pulled = springs.pull_cost(problem.pull, problem.time, control)
         smooth, true = smooth + pulled, true + pulled
-    for i in range(0, len(problem.time) - 1, LANES):
+    for i in range(0, len(problem.time) - 1, WIDE):
         smooth_part, true_part = costs_from(problem, control, i, eps)
         smooth, true = smooth + smooth_part, true + true_part
     return smooth, true

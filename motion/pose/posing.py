@@ -57,10 +57,10 @@ def _pose_some(posed_at: int, pose_at: int, first: int) -> None:
     """Fills WIDE rows, or what is left, from `first` on, of the Pose lent at `pose_at` with the Posed lent at `posed_at`."""
     posed, pose = _open_posed(posed_at), _open_pose(pose_at)
     rows = counted(first, len(posed.rows))
-    c = each_of(posed.rows, rows)
-    biped = _beside(posed.bipeds, each_of(posed.kind, c), _empty_beside())
-    footprints = side_by_side(posed.footprints, c, each_of(posed.real, c))
-    curve = side_by_side(posed.curve, c, each_of(posed.segments, c) + 1)
+    c = each_of(posed.rows, rows, ())
+    biped = _beside(posed.bipeds, each_of(posed.kind, c, ()), _empty_beside())
+    footprints = side_by_side(posed.footprints, c, each_of(posed.real, c, ()))
+    curve = side_by_side(posed.curve, c, each_of(posed.segments, c, ()) + 1)
     _pose(biped, Track(footprints, curve), posed.time, pose, rows)
 
 

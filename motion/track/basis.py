@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.track.curve import acceleration_weights
+from worlds.compiled.beside.wide import WIDE
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES
 
 ORDER = 4
 """Coefficients that a cubic piece depends on."""
@@ -24,8 +24,8 @@ ORDER = 4
 class Basis(NamedTuple):
     """n coefficients of m pieces."""
 
-    first: np.ndarray  # (m + LANES - 1,) the first coefficient of each piece
-    weights: np.ndarray  # (4, 4, m + LANES - 1) [coefficient, power of s, piece], s the share of the piece
+    first: np.ndarray  # (m + WIDE - 1,) the first coefficient of each piece
+    weights: np.ndarray  # (4, 4, m + WIDE - 1) [coefficient, power of s, piece], s the share of the piece
     knot: np.ndarray  # (n + 4,) which of the pieces' ends each knot is
     smooth: bool
 
@@ -36,8 +36,8 @@ def basis_of(time: np.ndarray, smooth: bool) -> Basis:
     m, times = len(time) - 1, 1 if smooth else 2
     n = ORDER + times * (m - 1)
     first, weights, knot = (
-        np.zeros(m + LANES - 1, np.int64),
-        np.zeros((ORDER, ORDER, m + LANES - 1)),
+        np.zeros(m + WIDE - 1, np.int64),
+        np.zeros((ORDER, ORDER, m + WIDE - 1)),
         np.zeros(n + ORDER, np.int64),
     )
     basis = Basis(first, weights, knot, smooth)

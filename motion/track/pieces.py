@@ -47,6 +47,20 @@ class Cut(NamedTuple):
     share: np.ndarray  # (m,) of comfort that counts
 
 
+class Fineness(NamedTuple):
+    """How finely phases are cut."""
+
+    steady: bool  # their number depends on times only for the briefest, so that none begins with a jump
+    rough: float  # single stances from this time on come in one piece each, but for those beside a flight [s]
+
+
+@jit_borrowing
+def fineness(footprints: Footprints, steady: bool, rough: int) -> Fineness:
+    """Of a curve of which so many of the last steps are rough."""
+    newest = len(footprints.side) - 1
+    return Fineness(steady, footprints.contact_time[newest - rough] if 0 < rough <= newest else np.inf)
+
+
 @jit_borrowing
 def flies(support: np.ndarray, i: int) -> bool:
     """Whether phase i is a flight."""
@@ -138,40 +152,40 @@ def _left(footprints: Footprints, n: int) -> float:
 
 
 @jit
-def in_pieces(biped: Dimensions, footprints: Footprints, time: np.ndarray, support: np.ndarray, steady: bool) -> Cut:
+def in_pieces(biped: Dimensions, footprints: Footprints, time: np.ndarray, support: np.ndarray, fine: Fineness) -> Cut:
     """Phases in equal pieces: a single stance in SINGLE, as its force rises and falls; others by their time, a flight in one.
 
-    Beside a flight there are more, and comfort counts less. Steady: their number depends on times only for the briefest;
-    where one foot takes over at once, the force may change within SWITCH.
+    Beside a flight there are more, and comfort counts less. Where one foot takes over at once, the force of a steady one may
+    change within SWITCH.
     """
     counts = np.ones((len(support), 2), np.int64)
     beside = np.empty(len(support))
     for i in range(len(support)):
-        beside[i] = _flown_beside(footprints, time, support, i, steady)
-    total = _count_pieces(biped, Cut(time, support, beside), steady, counts)
+        beside[i] = _flown_beside(footprints, time, support, i, fine.steady)
+    total = _count_pieces(biped, Cut(time, support, beside), fine, counts)
     cut = Cut(np.empty(total + 1), np.empty((total, 2), np.int64), np.ones(total))
-    _lay_pieces(biped, footprints, Cut(time, support, beside), steady, counts, cut)
+    _lay_pieces(biped, footprints, Cut(time, support, beside), fine.steady, counts, cut)
     return cut
 
 
 @jit_borrowing
-def _count_pieces(biped: Dimensions, whole: Cut, steady: bool, counts: np.ndarray) -> int:
+def _count_pieces(biped: Dimensions, whole: Cut, fine: Fineness, counts: np.ndarray) -> int:
     """Fills counts (m, 2) of ones: equal pieces of each phase, and whether one of SWITCH follows them. Returns their sum."""
     unit, total = PIECE * pendulum_time(biped.leg.nominal_length), 0
     time, support, beside = whole
     for i in range(len(support)):
-        pieces = int(round((time[i + 1] - time[i]) / unit))
-        if steady and time[i + 1] - time[i] < SPLIT:
+        pieces, rough = int(round((time[i + 1] - time[i]) / unit)), time[i] > fine.rough - phases.SHORTEST_PHASE
+        if fine.steady and time[i + 1] - time[i] < SPLIT:
             counts[i, 0] = 1
-        elif steady and not flies(support, i):
+        elif fine.steady and not flies(support, i):
             counts[i, 0] = SINGLE if min(support[i, 0], support[i, 1]) >= 0 else 2 * SINGLE
         elif beside[i] > 0 and not flies(support, i):
             counts[i, 0] = min(max(2 * pieces, SINGLE), 2 * SINGLE)
         elif phases.phase_of(support[i, 0], support[i, 1]) == phases.DOUBLE_STANCE:
             counts[i, 0] = min(max(pieces, 1), SINGLE)
         elif not flies(support, i):
-            counts[i, 0] = SINGLE
-        counts[i, 1] = 1 if steady and _switch(time, support, i) > 0 else 0
+            counts[i, 0] = 1 if rough else SINGLE
+        counts[i, 1] = 1 if fine.steady and _switch(time, support, i) > 0 else 0
         total += counts[i, 0] + counts[i, 1]
     return total
 
@@ -182,25 +196,32 @@ def _lay_pieces(biped: Dimensions, footprints: Footprints, whole: Cut, steady: b
     time, support, n = whole.time, whole.support, 0
     for i in range(len(support)):
         count = counts[i, 0]
-        single = count >= SINGLE and min(support[i, 0], support[i, 1]) < 0
+        single = min(support[i, 0], support[i, 1]) < 0 and not flies(support, i)
         rocky, steep = _on_rock(footprints, support, i), _steep(biped, footprints, support, i)
         for k in range(count + counts[i, 1]):
             cut.time[n] = (
                 time[i] + k * (time[i + 1] - time[i]) / count if k < count else time[i + 1] - _switch(time, support, i)
             )
             cut.support[n, 0], cut.support[n, 1] = support[i, 0], support[i, 1]
-            middle = single and count <= SINGLE * k < 2 * count
-            cut.share[n] = _share(whole.share[i], rocky, middle, steep)
+            cut.share[n] = _share(whole.share[i], rocky, _middle(k, count, steady) if single else 0.0, steep)
             n += 1
     cut.time[n] = time[-1]
 
 
 @jit_borrowing
-def _share(beside: float, rocky: bool, middle: bool, steep: float) -> float:
+def _middle(k: int, count: int, steady: bool) -> float:
+    """How much of piece k of a single stance is of its middle third; the briefest of a steady curve have none."""
+    if count < SINGLE and not steady:
+        return 1 / SINGLE
+    return 1.0 if count <= SINGLE * k < 2 * count else 0.0
+
+
+@jit_borrowing
+def _share(beside: float, rocky: bool, middle: float, steep: float) -> float:
     """Share of comfort that counts in a piece: `beside` as much of a flight, on rocks, in the middle of a stance, so steep."""
     share = 1.0
     if beside < 1:
-        share = ROCKY if rocky else (MIDDLE if middle else 1.0)
+        share = ROCKY if rocky else 1.0 + middle * (MIDDLE - 1.0)
     share += steep * (min(share, GIVES) - share)
     if beside > 0:
         share = SPRINGY + (share - SPRINGY) * (1 - beside) if beside < 1 else SPRINGY

@@ -121,7 +121,7 @@ def over_global(sim: Simulation, curve: Curve) -> float:
     footprints = sim.walked().footprints
     walking = curve.time >= footprints.contact_time[3] - 1e-9  # the standing start is left out
     times, controls = curve.time[walking], curve.control[walking]
-    problem, _ = laying.build_problem(sim.bipeds[0], footprints, times[0], times[-1], window.LIVE._replace(samples=5))
+    problem, _ = laying.build_problem(sim.bipeds[0], footprints, times[0], times[-1], window.LIVE._replace(samples=5, rough=0))
     if len(problem.time) != len(times) or np.abs(problem.time - times).max() > 1e-6:
         raise RuntimeError("the committed curve's phases are not those of the footprints")
     committed = total_cost(problem, controls)

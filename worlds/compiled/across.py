@@ -13,7 +13,7 @@ def total(_, x):
     """Sum of the lanes, the first first."""
 
     def codegen(context, builder, sig, args):
-        each = [builder.extract_element(args[0], ir.Constant(ir.IntType(32), k)) for k in range(LANES)]
+        each = [builder.extract_element(args[0], ir.Constant(ir.IntType(32), k)) for k in range(x.count)]
         found = each[0]
         for one in each[1:]:
             found = builder.fadd(found, one)
@@ -28,7 +28,7 @@ def total_in_turn(_, x, y):
 
     def codegen(context, builder, sig, args):
         found = ir.Constant(ir.DoubleType(), 0.0)
-        for k in range(LANES):
+        for k in range(x.count):
             for one in args:
                 found = builder.fadd(found, builder.extract_element(one, ir.Constant(ir.IntType(32), k)))
         return found
@@ -41,7 +41,7 @@ def bits_of(_, mask):
     """A whole number with bit k set where lane k is true."""
 
     def codegen(context, builder, sig, args):
-        return builder.zext(builder.bitcast(bits(builder, args[0]), ir.IntType(LANES)), ir.IntType(64))
+        return builder.zext(builder.bitcast(bits(builder, args[0]), ir.IntType(mask.count)), ir.IntType(64))
 
     return signature(types.int64, mask), codegen
 

@@ -138,29 +138,33 @@ def pointer(context, builder, kind, array, index_kind, index, vector):
     return builder.bitcast(at, vector.as_pointer())
 
 
+def loaded(context, builder, sig, args, count):
+    """So many numbers or truths from array[index] on."""
+    truth = sig.args[0].dtype == types.boolean
+    vector = ir.VectorType(ir.IntType(8) if truth else ir.DoubleType(), count)
+    at = pointer(context, builder, sig.args[0], args[0], sig.args[1], args[1], vector)
+    found = builder.load(at, align=1 if truth else 8)
+    return truths(builder, builder.icmp_unsigned("!=", found, ir.Constant(vector, [0] * count))) if truth else found
+
+
 @intrinsic
 def load(_, array, index):
     """Lanes from array[index] on, contiguous; a Mask of a bool array."""
-    is_mask = array.dtype == types.boolean
 
     def codegen(context, builder, sig, args):
-        vector = ir.VectorType(ir.IntType(8), LANES) if is_mask else KIND.vector
-        at = pointer(context, builder, sig.args[0], args[0], sig.args[1], args[1], vector)
-        found = builder.load(at, align=1 if is_mask else 8)
-        if is_mask:
-            return truths(builder, builder.icmp_unsigned("!=", found, ir.Constant(vector, [0] * LANES)))
-        return found
+        return loaded(context, builder, sig, args, LANES)
 
-    return signature(MASK if is_mask else KIND, array, index), codegen
+    return signature(MASK if array.dtype == types.boolean else KIND, array, index), codegen
 
 
 @intrinsic
 def store(_, array, index, value):
-    """array[index] and the next ones, contiguous, become the lanes."""
+    """array[index] and the next ones, contiguous, become the lanes, as many as there are; a plain number LANES times."""
+    lanes = value if isinstance(value, LanesType) else KIND
 
     def codegen(context, builder, sig, args):
-        number = spread(context, builder, sig.args[2], args[2], KIND)
-        at = pointer(context, builder, sig.args[0], args[0], sig.args[1], args[1], KIND.vector)
+        number = spread(context, builder, sig.args[2], args[2], lanes)
+        at = pointer(context, builder, sig.args[0], args[0], sig.args[1], args[1], lanes.vector)
         builder.store(number, at, align=8)
         return context.get_dummy_value()
 

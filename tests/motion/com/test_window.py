@@ -106,5 +106,19 @@ def test_cost_of_a_window_is_its_twin(windows):
     assert total_cost(problem, control) == pytest.approx(reference.total_cost(problem, control), rel=1e-9)
 
 
+def test_the_last_two_steps_of_a_window_are_rough(windows):
+    """One piece to a single stance, where there are three before."""
+    one = windows[30]
+    problem, support = window.lay_window(one.biped, one.footprints, one.committed.time[-1])
+    begin = one.footprints.contact_time[len(one.footprints.side) - 3]
+    phase = np.cumsum(np.r_[True, (np.diff(support, axis=0) != 0).any(axis=1)])
+    pieces = {
+        (problem.time[i] >= begin - 1e-9, (support[i] < 0).any()): int((phase == phase[i]).sum()) for i in range(len(phase))
+    }
+    assert pieces[True, True] == 1
+    assert pieces[False, True] == 3
+
+
 def test_windows_are_near_their_tight_solutions(windows):
-    assert live.over_tight(windows[::4], newton.LIVE) <= 1.03
+    """Most of what is left lies in the rough steps, which are solved again before they are walked."""
+    assert live.over_tight(windows[::4], newton.LIVE) <= 1.06

@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from worlds.compiled.across import any_of, isnt
-from worlds.compiled.beside.places import counted, each_of, load_wide, put, store_some
+from worlds.compiled.across import any_of, bits_of, isnt, total
+from worlds.compiled.beside.places import counted, counting, each_of, load_wide, put, store_some
 from worlds.compiled.beside.records import records_beside
 from worlds.compiled.beside.rows import side_by_side
 from worlds.compiled.beside.wide import WIDE
@@ -46,9 +46,9 @@ def asked(sizes, things, t):
 def of_many(sizes, kind, table, counts, rows, t, out, which):
     for first in range(0, len(rows), WIDE):
         at = counted(first, len(rows))
-        c = each_of(rows, at)
-        record = _beside(sizes, each_of(kind, c), _empty_sizes())
-        value, last = asked(record, side_by_side(table, c, each_of(counts, c)), t)
+        c = each_of(rows, at, ())
+        record = _beside(sizes, each_of(kind, c, ()), _empty_sizes())
+        value, last = asked(record, side_by_side(table, c, each_of(counts, c, ())), t)
         put(out, at, (1,), value)
         put(which, at, (), last)
 
@@ -78,3 +78,21 @@ def test_some_lanes_are_stored():
     assert out.tolist() == [0, 0, 2, 4, 6] + [0] * (WIDE - 1)
     assert moved(x, out, WIDE, 4.0) == (True, True)
     assert out[2 : 2 + WIDE].tolist() == (2 * x[1:]).tolist()
+
+
+@jit
+def summed(x, truths, first):
+    """Sums over a column from `first` on, and which of as many truths hold."""
+    at = counted(first, len(x))
+    counts = counting(first, len(x))
+    return total(each_of(x, at, (1,))), total(counts * each_of(x, at, (1,))), bits_of(load_wide(truths, (first,)))
+
+
+def test_beyond_the_last_row_lie_copies_of_it_that_count_for_nothing():
+    x, truths = np.arange(2.0 * C).reshape(C, 2), np.arange(C + WIDE) % 3 == 0
+    for first in (0, C - WIDE, C - 3, C - 1):
+        rows = np.minimum(np.arange(first, first + WIDE), C - 1)
+        all, once, bits = summed(x, truths, first)
+        assert all == x[rows, 1].sum()
+        assert once == x[first : first + WIDE, 1].sum()
+        assert [bits >> k & 1 for k in range(WIDE)] == truths[first : first + WIDE].tolist()

@@ -7,9 +7,9 @@ from numba.core import cgutils, types
 from numba.core.typing.templates import signature
 
 from worlds.compiled.beside.wide import NUMBERS, WHOLES, WIDE, addresses, element_of, gather
-from worlds.compiled.jit import intrinsic
+from worlds.compiled.jit import intrinsic, jit_inline
 from worlds.compiled.kinds import spread
-from worlds.compiled.lanes import pointer
+from worlds.compiled.lanes import choose, loaded, pointer
 
 
 @intrinsic
@@ -25,17 +25,23 @@ def counted(_, first, end):
     return signature(WHOLES, first, end), codegen
 
 
+@jit_inline
+def counting(first: int, end: int) -> Any:
+    """1.0 in the lanes of counted(first, end) that tell of one for the first time, 0.0 in the others."""
+    return choose(counted(0, WIDE) < end - first, 1.0, 0.0)
+
+
 @intrinsic
-def each_of(_, array, rows):
-    """array[row] of each of the rows."""
+def each_of(_, array, rows, index):
+    """array[row, *index] of each of the rows."""
 
     def codegen(context, builder, sig, args):
         struct = context.make_array(array)(context, builder, args[0])
-        stride = cgutils.unpack_tuple(builder, struct.strides, 1)[0]
-        base = builder.ptrtoint(struct.data, ir.IntType(64))
-        return gather(context, builder, array.dtype, addresses(context, builder, base, args[1], stride))
+        strides = cgutils.unpack_tuple(builder, struct.strides, array.ndim)
+        base = _behind(context, builder, builder.ptrtoint(struct.data, ir.IntType(64)), index, args[2], strides[1:])
+        return gather(context, builder, array.dtype, addresses(context, builder, base, args[1], strides[0]))
 
-    return signature(element_of(array.dtype), array, rows), codegen
+    return signature(element_of(array.dtype), array, rows, index), codegen
 
 
 @intrinsic
@@ -46,10 +52,7 @@ def put(_, array, rows, index, value):
         struct = context.make_array(array)(context, builder, args[0])
         strides = cgutils.unpack_tuple(builder, struct.strides, array.ndim)
         at, many = builder.ptrtoint(struct.data, ir.IntType(64)), isinstance(value, types.BaseTuple)
-        for kind, one, stride in zip(
-            index.types, cgutils.unpack_tuple(builder, args[2], len(index)), strides[1:], strict=False
-        ):
-            at = builder.add(at, builder.mul(context.cast(builder, one, kind, types.intp), stride))
+        at = _behind(context, builder, at, index, args[2], strides[1:])
         kinds = value.types if many else (value,)
         for kind, one in zip(kinds, cgutils.unpack_tuple(builder, args[3], len(kinds)) if many else [args[3]], strict=True):
             found = addresses(context, builder, at, args[1], strides[0])
@@ -58,6 +61,13 @@ def put(_, array, rows, index, value):
         return context.get_dummy_value()
 
     return signature(types.none, array, rows, index, value), codegen
+
+
+def _behind(context: Any, builder: Any, address: Any, kinds: Any, index: Any, strides: Any) -> Any:
+    """The address of an entry behind that of the first one, by its index and what each axis of it strides."""
+    for kind, one, stride in zip(kinds, cgutils.unpack_tuple(builder, index, len(kinds)), strides, strict=False):
+        address = builder.add(address, builder.mul(context.cast(builder, one, kind, types.intp), stride))
+    return address
 
 
 def _scatter(context: Any, builder: Any, dtype: Any, found: Any, number: Any) -> None:
@@ -72,13 +82,12 @@ def _scatter(context: Any, builder: Any, dtype: Any, found: Any, number: Any) ->
 
 @intrinsic
 def load_wide(_, array, index):
-    """WIDE numbers from array[index] on, contiguous."""
+    """WIDE numbers from array[index] on, contiguous; truths of a bool array."""
 
     def codegen(context, builder, sig, args):
-        at = pointer(context, builder, sig.args[0], args[0], sig.args[1], args[1], NUMBERS.vector)
-        return builder.load(at, align=8)
+        return loaded(context, builder, sig, args, WIDE)
 
-    return signature(NUMBERS, array, index), codegen
+    return signature(element_of(array.dtype), array, index), codegen
 
 
 @intrinsic
