@@ -62,7 +62,7 @@ def lay_samples(biped: Dimensions, footprints: Footprints, problem: Problem, sup
     )
     _lay_times(problem.time, pelvis.time)
     body_headings(biped, footprints, pelvis.time[:, :m], pelvis.yaw)
-    _lay_pelvis(biped, footprints, pelvis_turns(biped, footprints), pelvis, m)
+    _lay_pelvis(biped, footprints, pelvis_turns(biped, footprints, problem.time[0]), pelvis, m)
     if by_step:
         _lay_by_time(biped, footprints, problem, pelvis)
     else:

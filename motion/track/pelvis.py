@@ -56,16 +56,16 @@ def _turn_at(biped: Dimensions, footprints: Footprints, i: Some) -> tuple[Some, 
 
 
 @jit
-def pelvis_turns(biped: Dimensions, footprints: Footprints) -> np.ndarray:
-    """What `pelvis_after` asks of each footprint (n, 2), once for many times."""
+def pelvis_turns(biped: Dimensions, footprints: Footprints, begin: float) -> np.ndarray:
+    """What `pelvis_after` asks of each footprint (n, 2), once for many times, none of which is before `begin` [s]."""
     turns = np.empty((len(footprints.side), 2))
-    _lay_turns(biped, footprints, turns)
+    _lay_turns(biped, footprints, max(newest(footprints.contact_time, begin), 0), turns)
     return turns
 
 
 @jit_borrowing
-def _lay_turns(biped: Dimensions, footprints: Footprints, turns: np.ndarray) -> None:
-    for i in range(len(turns)):
+def _lay_turns(biped: Dimensions, footprints: Footprints, first: int, turns: np.ndarray) -> None:
+    for i in range(first, len(turns)):
         turns[i, 0], turns[i, 1] = _turn_at(biped, footprints, i)
 
 
