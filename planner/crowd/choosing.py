@@ -13,17 +13,9 @@ import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
 from planner.crowd import candidates, terms
-from planner.crowd.candidates import (
-    CANDIDATE,
-    DIRECTIONS,
-    QUICK,
-    Candidate,
-    bearing_of,
-    candidate,
-    candidate_in,
-)  # fmt: skip
+from planner.crowd.candidates import CANDIDATE, DIRECTIONS, QUICK, Candidate, bearing_of, candidate, candidate_in
 from planner.crowd.neighbour import NEIGHBOUR, close_by, see
-from planner.crowd.sides import AGAINST, on_the_right, wrong_side
+from planner.crowd.sides import AGAINST, meets, on_the_right, wrong_side
 from planner.crowd.walker import CROWDED, Walker
 from planner.round.round import Round
 from worlds.compiled.jit import jit_borrowing, stack_array
@@ -50,6 +42,7 @@ class Scratch(NamedTuple):
     others: Any  # (K,) records of NEIGHBOUR: those near
     close: Any  # those of them to whom spacing may matter
     dense: np.ndarray  # (D, 3) of those whose density counts: x, y [m], the share of the ground that each covers (_dense)
+    most: float  # speed that those who come against one leave [m/s]
     cost: np.ndarray  # (WISH + 1,) what it costs, or no more than that
     weighed: np.ndarray  # (WISH + 1,) bool: that is what it costs
     length: np.ndarray  # (STAND,) of the step in each direction [m]; negative: claimed, but not taken
@@ -140,6 +133,13 @@ def _dense(round: Round, walker: Walker, others: Any, dense: np.ndarray) -> int:
 
 
 @jit_borrowing
+def _past_those(round: Round, walker: Walker, others: Any) -> float:
+    """The most speed [m/s] that those who come against one leave it until it is past them, though lanes part."""
+    weights, stride = round.weights[round.kind[walker.c]], round.bipeds[round.kind[walker.c]].gait.preferred_step
+    return walker.full * (1 - weights.meet * meets(walker, others, weights.ahead * stride))
+
+
+@jit_borrowing
 def _speed_in(round: Round, walker: Walker, scratch: Scratch, dx: float, dy: float) -> float:
     """The speed [m/s] in the direction of a unit vector: the wished one, or what the spacing to those ahead in it allows, and
     how dense it is there."""
@@ -154,7 +154,7 @@ def _speed_in(round: Round, walker: Walker, scratch: Scratch, dx: float, dy: flo
     for i in range(len(dense)):
         if dense[i, 0] * dx + dense[i, 1] * dy > 0:
             cover += dense[i, 2]
-    return min(speed, terms.pace_at(cover) * walker.full)
+    return min(speed, scratch.most, terms.pace_at(cover) * walker.full)
 
 
 @jit_borrowing
@@ -238,7 +238,7 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
     least, claimed = LEAST * biped.gait.preferred_step, False
     see(round.reservations, walker, aim, float(walker.hindered), near, others)
     close, dense = close[: close_by(round, walker, others, close)], dense[: _dense(round, walker, others, dense)]
-    scratch = Scratch(others, close, dense, cost, _truths(), length, _steps())
+    scratch = Scratch(others, close, dense, _past_those(round, walker, others), cost, _truths(), length, _steps())
     right = max(on_the_right(walker, others, aim, round.reservations.reach), left)
     _lay(round, walker, right, wished, scratch)
     while True:

@@ -154,6 +154,17 @@ def _to_the_right(
 
 
 @jit_borrowing
+def meets(walker: Walker, others: Any, sight: float) -> bool:
+    """Whether anyone within `sight` [m] who is ahead on my course comes against me."""
+    ux, uy = cos(walker.course), sin(walker.course)
+    for i in range(len(others)):
+        other = others[i]
+        if other.along < AGAINST and other.x * ux + other.y * uy > 0 and hypot(other.x, other.y) < sight:
+            return True
+    return False
+
+
+@jit_borrowing
 def on_the_right(walker: Walker, others: Any, aim: Place, sight: float) -> float:
     """How many come against me whom I would leave on the right, not on the left; those further away count less, at most MOST.
 

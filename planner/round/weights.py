@@ -20,9 +20,12 @@ class Weights(NamedTuple):
     """Of a radian that the foot turns off the wished course, or the body goes off its heading: more of it walks straighter."""
     gap: float = 0.94
     """Time gap kept to who is ahead, in swings: more of it follows from further behind, and flows less."""
-    ahead: float = 3.4
+    ahead: float = 3.35
     """How far one looks at how dense it is ahead, in strides, to walk as slowly as that tells: more of it speeds up sooner
     where a throng ends ahead, and flows more; 0 does not look."""
+    meet: float = 0.2
+    """Share of the full speed that one gives up while anyone comes against it as near ahead as it looks for how dense it is:
+    more of it passes others more slowly."""
     touch: float = 0.35
     """Of an early touch, per 1 / swings of time until then, at full speed: more of it swerves earlier and wider."""
     horizon: float = 6.0
@@ -38,7 +41,7 @@ class Weights(NamedTuple):
     turn leads nowhere."""
     rank: float = 2.5
     """Of resting where one who has waited longer would go: more of it makes way, and backs off, sooner."""
-    stand: float = 0.12
+    stand: float = 0.18
     """Of standing still: more of it shuffles on."""
     model: str = "steps"
     """Who reads the table, one of MODELS."""

@@ -89,7 +89,7 @@ def cases() -> list[Case]:
     """In the order in which they are told."""
     necks = by_seeds(partial(_neck, 1.2, 100, 1.0), partial(_neck, 1.2, 100, 4.0), seeds=tuple(range(1, FIVE + 1)))
     return [
-        *(Case(f"both ways along a corridor 4 m wide, {density:g} per m^2: speed", "m/s", 0.95, 1.34,
+        *(Case(f"both ways along a corridor 4 m wide, {density:g} per m^2: speed", "m/s", 0.95, 1.1,
                by_seeds(partial(places.two_ways, density)),
                median_of(lambda all: figures.speed(all[0], places.met(all[0])))) for density in TWO_WAYS),
         Case("there, at 1.5 per m^2: order of lanes", "", 0.8, 1.0, by_seeds(partial(places.two_ways, 1.5)),

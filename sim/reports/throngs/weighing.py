@@ -107,6 +107,11 @@ def _order(flow: Flow) -> float:
     return figures.lanes(flow, np.abs(flow.place[..., 0] - 0.5 * flow.world.size[0]) < 5)
 
 
+def _through(flow: Flow) -> float:
+    """How fast they walk along x in the middle of a corridor, on average [m/s]."""
+    return figures.speed(flow, np.abs(flow.place[..., 0] - 0.5 * flow.world.size[0]) < 5)
+
+
 def _circle(weights: Weights) -> Flow:
     """24 change places."""
     return flows.watched(places.circle(24, 1.0, weights), 12.0)
@@ -119,7 +124,7 @@ def _off_middle(flow: Flow) -> float:
 
 def _door(weights: Weights) -> Flow:
     """Ten a side go against each other through a door for one, by a seed with which it tells."""
-    sim = flows.counterflow(10, 0.8, weights, seed=4)
+    sim = flows.counterflow(10, 0.8, weights, seed=7)
     return flows.watched(sim, 60.0, sim.world.size[0] / 2, bodies=True)
 
 
@@ -150,6 +155,7 @@ SCENES = {
     "turn": Scene(_ACROSS, _aside, "walks straighter", "one evades another by {:.2f} m", _FAN),
     "gap": Scene(_file, _behind, "follows from further behind", "each {:.2f} m behind the next", _FILE, BODIES, 14.9),
     "ahead": Scene(partial(_throng, 2.0), _pace, "looks further ahead for throngs", "get on at {:.2f} m/s", _RING, BODIES, 9.9),
+    "meet": Scene(_streams, _through, "passes more slowly", "walk at {:.2f} m/s", (8.0, 20.0, 0.8, 5.2)),
     "touch": Scene(_HEAD_ON, _apart, "swerves wider", "two who meet pass {:.2f} m apart", _FAN),
     "horizon": Scene(_STANDS, _apart, "looks further ahead", "pass who stands {:.2f} m apart", _FAN),
     "near": Scene(_party, _nearest, "spreads out", "{:.2f} m to four others", _PARTY, BODIES, 4.9),

@@ -17,6 +17,7 @@ from planner.crowd.choosing import (
     _cheapest,
     _dense,
     _lay,
+    _past_those,
     _shorten,
     _speed_in,
     cost_of,
@@ -53,7 +54,7 @@ def scratch_of(me, others):
     steps = np.empty(WISH + 1, CANDIDATE).view(np.recarray)
     dense, cost, weighed = np.empty((len(others), 3)), np.empty(WISH + 1), np.empty(WISH + 1, np.bool_)
     dense = dense[: _dense(ROUND, me, others, dense)]
-    return Scratch(others, others, dense, cost, weighed, np.empty(STAND), steps)
+    return Scratch(others, others, dense, _past_those(ROUND, me, others), cost, weighed, np.empty(STAND), steps)
 
 
 def weighed(seed, right):
@@ -70,7 +71,18 @@ def test_nobody_who_is_behind_or_comes_against_one_makes_it_dense_ahead():
     nobody = scratch_of(me, others)._replace(close=others[:0])
     assert _speed_in(ROUND, me, nobody, 1.0, 0.0) < 0.9 * me.full and _speed_in(ROUND, me, nobody, -1.0, 0.0) == me.full
     others["along"] = -1.0
-    assert _speed_in(ROUND, me, scratch_of(me, others)._replace(close=others[:0]), 1.0, 0.0) == me.full
+    nobody = scratch_of(me, others)._replace(close=others[:0], most=me.full)
+    assert _speed_in(ROUND, me, nobody, 1.0, 0.0) == me.full
+
+
+def test_who_meets_others_walks_more_slowly_until_they_are_past():
+    me, others = waiting(), throng(3)
+    others["x"], others["along"] = np.abs(others["x"]), -1.0
+    slow = me.full * (1 - PEOPLE.meet)
+    assert _speed_in(ROUND, me, scratch_of(me, others)._replace(close=others[:0]), 1.0, 0.0) == slow
+    for x, along in ((-others["x"], -1.0), (others["x"] + 3, -1.0), (others["x"], 0.0)):
+        others["x"], others["along"] = x, along
+        assert _past_those(ROUND, me, others) == me.full, "behind, far off, or not against one"
 
 
 @given(st.integers(0, 500), st.floats(0, 2.5))

@@ -6,8 +6,8 @@ import pytest
 from planner.round.weights import NUMBERS, PEOPLE
 from sim.reports.throngs import weighing
 
-SOON = ("progress", "turn", "gap", "touch", "horizon", "near", "distance", "around")
-MORE = {"progress": -1, "turn": -1, "gap": 1, "touch": 1, "horizon": 1, "near": 1, "distance": 1, "around": 1}
+SOON = ("progress", "turn", "gap", "meet", "touch", "horizon", "near", "distance", "around")
+MORE = {"progress": -1, "turn": -1, "gap": 1, "meet": -1, "touch": 1, "horizon": 1, "near": 1, "distance": 1, "around": 1}
 """Whether a figure grows or falls with its weight."""
 
 
