@@ -1,5 +1,7 @@
 """Standing: where a motion begins and ends."""
 
+from math import hypot
+
 import numpy as np
 
 from motion.arithmetic.gravity import pendulum_time
@@ -13,7 +15,10 @@ from worlds.compiled.tables import newest
 
 SETTLES = 2.0
 """Pendulum times after its last step in which a body comes to rest: any force within the cone of its two legs is free, so by
-physics alone it would take until it has to."""
+physics alone it would take until it has to. Less after a foot that went less far than FAR: who steps on the spot, as in a
+queue, stays between its feet, where it would lean over the one that stands, and into its neighbours."""
+FAR = 0.5
+"""A foot goes so far, in preferred steps, or further where one walks."""
 
 
 @jit_borrowing
@@ -39,17 +44,27 @@ def above_feet(biped: Dimensions, footprints: Footprints, control: np.ndarray) -
         control[2] = min(control[2], ankle[2] - hip[2] + rise)
 
 
+@jit_borrowing
+def _went(biped: Dimensions, footprints: Footprints, n: int) -> float:
+    """How far a foot went until it landed as footprint n, in FAR; at most 1, as where that is not known."""
+    if n < 2 or footprints.side[n] != footprints.side[n - 2]:
+        return 1.0
+    x = footprints.position[n, 0] - footprints.position[n - 2, 0]
+    y = footprints.position[n, 1] - footprints.position[n - 2, 1]
+    return min(hypot(x, y) / (FAR * biped.gait.preferred_step), 1.0)
+
+
 @jit
 def settling(biped: Dimensions, footprints: Footprints, time: np.ndarray, stiffness: float) -> np.ndarray:
     """Springs (P, 5) that hold the com at rest at the times (m + 1,) of a curve from SETTLES after the last step on.
 
-    Each: time [s], place [m], stiffness [1/s/m].
+    Sooner after a short one. Each: time [s], place [m], stiffness [1/s/m].
     """
     last, rest, out = len(footprints.side) - 1, np.empty(6), np.empty((len(time), 5))
     while last > 0 and footprints.stands[last]:
         last -= 1
     above_feet(biped, footprints, rest)
-    settled = footprints.contact_time[last] + SETTLES * pendulum_time(biped.leg.nominal_length)
+    settled = footprints.contact_time[last] + SETTLES * _went(biped, footprints, last) * pendulum_time(biped.leg.nominal_length)
     for i in range(len(time)):
         out[i, 0], out[i, 4] = time[i], stiffness
         for axis in range(3):

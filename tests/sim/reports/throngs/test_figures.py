@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import main
+from planner.crowd.bodies import gap_between
 from planner.round.weights import PEOPLE
 from sim.reports.flows import PER_SECOND, Flow
 from sim.reports.throngs import cases, figures, places
@@ -57,6 +58,46 @@ def test_bodies_that_face_alike_overlap_by_what_they_are_too_near():
     flow = flow._replace(heading=np.zeros((40, 2)), half=np.tile([0.15, 0.25], (2, 1)))
     np.testing.assert_allclose(figures.overlaps(flow)[[0, 39]], [[0.2, 0.2], [0, 0]], atol=1e-12)
     assert figures.longest_overlap(flow) == pytest.approx(2.5)
+
+
+def _apart(half, heading, half2, heading2, p):
+    """Whether no point of the border of the second ellipse, p from the first, lies in the first, nor the first in it."""
+    t = np.linspace(0, 2 * np.pi, 1200)
+    x, y = half2[0] * np.cos(t), half2[1] * np.sin(t)
+    c, s = np.cos(heading2), np.sin(heading2)
+    x, y = p[0] + c * x - s * y, p[1] + s * x + c * y
+    c, s = np.cos(heading), np.sin(heading)
+    return bool((np.hypot((c * x + s * y) / half[0], (c * y - s * x) / half[1]) > 1).all())
+
+
+def _depth(half, heading, half2, heading2, p):
+    """How far the second must move at least, whichever way, to leave the first: found by moving it."""
+    found = 1.5
+    for angle in np.linspace(0, 2 * np.pi, 180, endpoint=False):
+        way, inside, outside = np.array([np.cos(angle), np.sin(angle)]), 0.0, found
+        while outside - inside > 1e-5 and _apart(half, heading, half2, heading2, p + found * way):
+            middle = 0.5 * (inside + outside)
+            free = _apart(half, heading, half2, heading2, p + middle * way)
+            inside, outside = (inside, middle) if free else (middle, outside)
+        found = outside
+    return found
+
+
+def test_how_deep_bodies_lie_in_each_other_is_how_far_one_must_move():
+    random, half = np.random.default_rng(1), np.array([[0.135, 0.21]] * 8)
+    headings, angle = random.uniform(-np.pi, np.pi, (2, 8)), random.uniform(-np.pi, np.pi, 8)
+    apart = random.uniform(0.12, 0.28, (8, 1)) * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    told = figures.gaps(half, headings[0], half, headings[1], apart)
+    twin = [_depth(half[k], headings[0, k], half[k], headings[1, k], apart[k]) for k in range(8) if told[k] < 0]
+    assert len(twin) > 4
+    np.testing.assert_allclose(-told[told < 0], twin, atol=3e-4)
+
+
+def test_bodies_that_face_differently_overlap_before_their_radii_do():
+    half, heading, p = (0.135, 0.21), 0.9, np.array([0.0, 0.33])
+    straight = gap_between(half, (np.cos(heading), np.sin(heading)), half, (np.cos(heading), -np.sin(heading)), *p)
+    told = figures.gaps(*(np.array([v]) for v in (half, heading, half, -heading, p)))
+    assert told[0] < straight - 0.005
 
 
 def test_streams_meet_where_both_are():
