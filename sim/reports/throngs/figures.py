@@ -50,8 +50,9 @@ def lanes(flow: Flow, there: np.ndarray) -> float:
 
 
 def speed(flow: Flow, there: np.ndarray) -> float:
-    """The mean speed along x of those who are there (F, C) [m/s]."""
-    return float(np.abs(np.diff(flow.place[..., 0], axis=0))[there[1:]].mean() * PER_SECOND)
+    """The mean speed of those who are there (F, C), along x, the way that each goes in the end [m/s]."""
+    way = np.sign(flow.place[-1, :, 0] - flow.place[0, :, 0])
+    return float((way * np.diff(flow.place[..., 0], axis=0))[there[1:]].mean() * PER_SECOND)
 
 
 def overlaps(flow: Flow) -> np.ndarray:
