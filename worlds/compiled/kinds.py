@@ -53,7 +53,7 @@ class MaskType(_Side):
 
 
 LANES = 4
-"""Pieces of a curve that are worked on at once: wider registers gain little, as they come in tens."""
+"""Entries of a column of banded equations that are worked on at once: twelve are three times as many."""
 KIND, MASK = LanesType(LANES), MaskType(LANES)
 
 

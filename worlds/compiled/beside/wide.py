@@ -1,4 +1,4 @@
-"""What WIDE characters' numbers side by side are read from: as many addresses, and what lies there."""
+"""What WIDE numbers side by side are read from: as many addresses, and what lies there."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ from numba.core import types
 from worlds.compiled.kinds import LanesType, MaskType, WholesType, spread, truths
 
 WIDE = 8
-"""Characters that are worked on at once: as many as the widest of today's registers hold."""
+"""Characters, or pieces of a curve, that are worked on at once: as many as the widest of today's registers hold."""
 WHOLES, NUMBERS = WholesType(WIDE), LanesType(WIDE)
 
 
