@@ -42,8 +42,12 @@ class Row(NamedTuple):
 
     @property
     def told(self) -> str:
-        """The figure with its unit."""
-        return f"{self.value:.3g} {self.unit}".rstrip()
+        """The figure with its unit, in three digits, or as many as it takes to see whether it fits."""
+        for digits in range(3, 10):
+            figure = f"{self.value:.{digits}g}"
+            if (self.low <= float(figure) <= self.high) == self.fits:
+                break
+        return f"{figure} {self.unit}".rstrip()
 
     @property
     def verdict(self) -> str:

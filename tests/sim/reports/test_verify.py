@@ -10,7 +10,7 @@ import main
 from planner.round.weights import NUMBERS, PEOPLE
 from sim.reports import flows
 from sim.reports.flows import Flow
-from sim.reports.people import by_seeds, median_of, worst_of
+from sim.reports.people import Row, by_seeds, median_of, worst_of
 from worlds.world import World
 
 DOCS = Path(__file__).parents[3] / "docs" / "crowds.md"
@@ -28,11 +28,19 @@ def test_the_flow_of_a_steady_stream_is_known():
     assert flows.specific_flow(steady(1.0, 0.5)._replace(place=np.zeros((1200, 50, 2))), 2.0) == 0, "nobody comes through"
 
 
-def test_the_speed_around_a_ring_is_known():
+@pytest.mark.parametrize("sway", [0.0, 0.03])
+def test_the_speed_around_a_ring_is_known(sway):
+    """Who sways to and fro, here by more than it goes on from one look to the next, is no faster for that."""
     time = np.arange(0, 30, 1 / flows.PER_SECOND)
-    angle, radius = time[:, None] * np.array([[0.1, 0.2]]), np.array([[6.0, 8.0]])
-    place = 10 + radius[..., None] * np.stack([np.cos(angle), np.sin(angle)], axis=2)
+    angle = time[:, None] * np.array([[0.1, 0.2]]) + sway * (np.arange(len(time))[:, None] % 2)
+    place = 10 + np.array([6.0, 8.0])[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=2)
     assert flows.ring_speed(Flow(time, place, World("w", (20.0, 20.0)))) == pytest.approx(1.1, rel=0.01)
+
+
+def test_a_figure_tells_as_many_digits_as_its_verdict_needs():
+    assert Row("x", "m/s", 0.5604, 0.35, 0.56).told == "0.5604 m/s"
+    assert Row("x", "m/s", 0.5597, 0.35, 0.56).told == "0.56 m/s"
+    assert Row("x", "", float("inf"), 0.0, 1.0).told == "inf"
 
 
 def test_figures_of_chance_are_of_several_seeds():
