@@ -1,7 +1,7 @@
 """Throngs as cases of `verify`: many people, many ways, other characters, and what must not happen among them.
 
-Bands: two ways along a corridor of 4 m and their lanes as in laboratory experiments (Zhang et al. 2012); the rest are bounds of
-our own: nobody stands for long, all arrive, and bodies hardly touch.
+Bands: lanes as in laboratory experiments (Zhang et al. 2012); the rest are bounds of our own: two streams slow each other down
+a little, nobody stands for long, all arrive, and bodies hardly touch.
 """
 
 from collections.abc import Callable
