@@ -103,7 +103,7 @@ def in_words(report: dict) -> str:
     if "window" in report:
         lines.append(
             f"live window: {report['window']['us_per_step']:.0f} us per step, "
-            f"E {report['window']['cost_over_tight']:.3f} of the same windows solved tightly, "
+            f"E {report['window']['cost_over_tight']:.3f} of that with windows solved tightly, "
             f"{report['window']['cost_over_global']:.3f} of the global optimum ({live.STEPS}-step wander)"
         )
     lines += crowds.in_words(report.get("crowd", {}))

@@ -15,8 +15,13 @@ from tests.walks import straight_walk
 
 
 @pytest.fixture(scope="module")
-def windows():
-    return live.wander_windows("bird", seed=3)[2]
+def wander():
+    return live.wander_windows("bird", seed=3)
+
+
+@pytest.fixture(scope="module")
+def windows(wander):
+    return wander[2]
 
 
 @pytest.mark.parametrize("by_step", [False, True])
@@ -119,6 +124,12 @@ def test_the_last_two_steps_of_a_window_are_rough(windows):
     assert pieces[False, True] == 3
 
 
-def test_windows_are_near_their_tight_solutions(windows):
-    """Most of what is left lies in the rough steps, which are solved again before they are walked."""
-    assert live.over_tight(windows[::4], newton.LIVE) <= 1.06
+def test_a_wander_is_walked_again_to_the_bit(wander):
+    sim, curve, windows = wander
+    again = live.walked_again(sim, windows, newton.LIVE)
+    assert np.array_equal(again.time, curve.time) and np.array_equal(again.control, curve.control)
+
+
+def test_what_is_walked_is_no_worse_than_of_windows_that_are_solved_tightly(wander):
+    """Steps are solved again before they are walked."""
+    assert live.over_tight(*wander) <= 1.02
