@@ -33,8 +33,8 @@ class Effort(NamedTuple):
 TIGHT = Effort(9, 3.0, 3e-4, 60, 1e-7)
 SCENE = Effort(4, 3.0, 1e-3, 100, 1e-4)
 LIVE = Effort(1, 1e-2, 1e-2, 16, 1e-1)
-"""Of the live window. Each step is solved in several windows before it is walked, so a window need not be solved to its end: what
-comes of it is no worse than of windows that are (bench --only window: E over tight windows)."""
+"""Of the live window. Each step is solved in several windows before it is walked, so a window need not be solved to its end:
+what comes of it is no worse than of windows that are (bench --only window: E over that with windows solved tightly)."""
 HARDER = Effort(4, 1.0, 3e-3, 10, 1e-3)
 ANEW = Effort(4, 1.0, 3e-3, 20, 1e-3)
 """From a cold start: with half as many iterations windows of walks ended far from the optimum, and bodies were thrown about."""

@@ -41,18 +41,23 @@ _, open_shown, _, SHOWN = handle(Shown(empty_crowd(np.zeros(1)), empty_bipeds(1)
 def fetch_row(crowd: Crowd, c: int) -> None:
     """Asks for what a pose of character c reads: its rows lie far apart, and too many are read at once to be foreseen."""
     f, last, m = crowd.footprints, crowd.real[c] - 4, crowd.segments[c]
-    for array in (f.heading, f.contact_time, f.stance_time, f.step_time, f.facing, f.lift, f.hold):
-        fetch(array, (c, 0))
+    for array in (
+        f.heading, f.contact_time, f.stance_time, f.step_time, f.facing, f.toe_out, f.lift, f.hold, f.strike, f.bow, f.bounce,
+    ):  # fmt: skip
+        fetch(array, (c, 2))
         fetch(array, (c, 7))
+    for whole in (f.side, f.rock):
+        fetch(whole, (c, 2))
+        fetch(whole, (c, 7))
     fetch(f.nominal_length, (c, 5))
-    fetch(f.side, (c, 0))
-    fetch(f.side, (c, 7))
+    fetch(f.stands, (c, 0))
     for n in range(last, last + 4, 2):
         fetch(f.position, (c, n, 0))
         fetch(f.normal, (c, n, 0))
     fetch(f.roll, (c, last, 0))
-    fetch(crowd.committed.time, (c, m - 4))
-    for n in range(m - 4, m + 1):
+    for n in range(m - 12, m + 1, 8):
+        fetch(crowd.committed.time, (c, n))
+    for n in range(m - 8, m + 1):
         fetch(crowd.committed.control, (c, n, 0))
 
 
