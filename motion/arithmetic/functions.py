@@ -5,7 +5,7 @@ fdlibm (Sun Microsystems 1993) and of Cephes (Moshier 1989).
 """
 
 from worlds.compiled.jit import jit_inline
-from worlds.compiled.lanes import Some, choose, larger, nearest, parts_of, root, scaled, smaller
+from worlds.compiled.lanes import Some, choose, fused, larger, nearest, parts_of, root, scaled, smaller
 
 _QUARTER = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624879595063154e-21)
 """pi / 2 as a sum whose first two parts have few digits: a whole number of turns times them is exact."""
@@ -27,15 +27,20 @@ _LOG = (
 
 
 @jit_inline
+def _series(z: Some, c: tuple[float, ...]) -> Some:
+    """c[0] + c[1] z + ..., six of them."""
+    return fused(fused(fused(fused(fused(c[5], z, c[4]), z, c[3]), z, c[2]), z, c[1]), z, c[0])
+
+
+@jit_inline
 def turn(x: Some) -> tuple[Some, Some]:
     """(cosine, sine) of an angle [rad] of up to a million."""
     quarters = nearest(x * 0.63661977236758134308)
-    r = x - quarters * _QUARTER[0] - quarters * _QUARTER[1] - quarters * _QUARTER[2]
+    r = fused(-quarters, _QUARTER[2], fused(-quarters, _QUARTER[1], fused(-quarters, _QUARTER[0], x)))
     z = r * r
-    c, s = _COSINE, _SINE
-    sine = r + r * z * (s[0] + z * (s[1] + z * (s[2] + z * (s[3] + z * (s[4] + z * s[5])))))
-    cosine = 1.0 - (0.5 * z - z * z * (c[0] + z * (c[1] + z * (c[2] + z * (c[3] + z * (c[4] + z * c[5]))))))
-    k = quarters - 4.0 * nearest(0.25 * quarters)
+    sine = fused(r * z, _series(z, _SINE), r)
+    cosine = 1.0 - fused(-z * z, _series(z, _COSINE), 0.5 * z)
+    k = fused(-4.0, nearest(0.25 * quarters), quarters)
     odd, back = abs(k) == 1.0, abs(k) == 2.0
     x, y = choose(odd, k * -sine, cosine), choose(odd, k * cosine, sine)
     return choose(back, -x, x), choose(back, -y, y)
@@ -49,11 +54,11 @@ def angle(x: Some, y: Some) -> Some:
     steep = low > 0.41421356237309503 * high
     t = choose(steep, low - high, low) / larger(choose(steep, low + high, high), 1e-300)
     z = t * t
-    p = -8.750608600031904122785e-1 * z - 1.615753718733365076637e1
-    p = ((p * z - 7.500855792314704667340e1) * z - 1.228866684490136173410e2) * z - 6.485021904942025371773e1
-    q = (z + 2.485846490142306297962e1) * z + 1.650270098316988542046e2
-    q = ((q * z + 4.328810604912902668951e2) * z + 4.853903996359136964868e2) * z + 1.945506571482613964425e2
-    found = choose(steep, _OF_PI[0], 0.0) + (t + t * z * (p / q))
+    p = fused(-8.750608600031904122785e-1, z, -1.615753718733365076637e1)
+    p = fused(fused(fused(p, z, -7.500855792314704667340e1), z, -1.228866684490136173410e2), z, -6.485021904942025371773e1)
+    q = fused(z + 2.485846490142306297962e1, z, 1.650270098316988542046e2)
+    q = fused(fused(fused(q, z, 4.328810604912902668951e2), z, 4.853903996359136964868e2), z, 1.945506571482613964425e2)
+    found = choose(steep, _OF_PI[0], 0.0) + fused(t * z, p / q, t)
     found = choose(ay > ax, _OF_PI[1] - found, found)
     found = choose(x < 0.0, _OF_PI[2] - found, found)
     return choose(y < 0.0, -found, found)
@@ -76,10 +81,11 @@ def exponential(x: Some) -> Some:
     """e^x; beyond +-700 as there."""
     x = smaller(larger(x, -700.0), 700.0)
     k = nearest(1.4426950408889634073599 * x)
-    r = x - k * 6.93145751953125e-1 - k * 1.42860682030941723212e-6
+    r = fused(-k, 1.42860682030941723212e-6, fused(-k, 6.93145751953125e-1, x))
     z = r * r
-    p = r * ((1.26177193074810590878e-4 * z + 3.02994407707441961300e-2) * z + 9.99999999999999999910e-1)
-    q = ((3.00198505138664455042e-6 * z + 2.52448340349684104192e-3) * z + 2.27265548208155028766e-1) * z + 2.0
+    p = r * fused(fused(1.26177193074810590878e-4, z, 3.02994407707441961300e-2), z, 9.99999999999999999910e-1)
+    q = fused(3.00198505138664455042e-6, z, 2.52448340349684104192e-3)
+    q = fused(fused(q, z, 2.27265548208155028766e-1), z, 2.0)
     return scaled(1.0 + 2.0 * (p / (q - p)), k)
 
 
@@ -90,7 +96,7 @@ def logarithm(x: Some) -> Some:
     f = m - 1.0
     s = f / (2.0 + f)
     z, g, half = s * s, _LOG, 0.5 * f * f
-    r = z * (g[0] + z * (g[1] + z * (g[2] + z * (g[3] + z * (g[4] + z * (g[5] + z * g[6]))))))
+    r = z * fused(_series(z, g[1:]), z, g[0])
     return k * _LOG_2[0] - ((half - (s * (half + r) + k * _LOG_2[1])) - f)
 
 

@@ -12,7 +12,7 @@ from motion.com.equations import BAND, Equations
 from motion.track.basis import Basis, is_fixed
 from worlds.compiled.across import lane, shifted
 from worlds.compiled.jit import jit_borrowing, jit_inline
-from worlds.compiled.lanes import lanes_of, load, store
+from worlds.compiled.lanes import fused, lanes_of, load, store
 
 DAMPING = 1e-9
 """Share of the diagonal that is added to it: keeps directions that nothing holds from running away."""
@@ -33,25 +33,25 @@ def _hold(equations: Equations, column: int) -> None:
 @jit_inline
 def _left_of(band: np.ndarray, column: int, s: float, x: Any, y: Any, w: Any) -> tuple[Any, Any, Any]:
     """A column less s times the lanes x, y and w, from its pivot down."""
-    return load(band, (column, 0)) - s * x, load(band, (column, 4)) - s * y, load(band, (column, 8)) - s * w
+    return fused(-s, x, load(band, (column, 0))), fused(-s, y, load(band, (column, 4))), fused(-s, w, load(band, (column, 8)))
 
 
 @jit_inline
 def _take_one(band: np.ndarray, column: int, s: float, x: Any) -> None:
     """A column loses s times the lanes x, from its pivot down."""
-    store(band, (column, 0), load(band, (column, 0)) - s * x)
+    store(band, (column, 0), fused(-s, x, load(band, (column, 0))))
 
 
 @jit_inline
 def _take_two(band: np.ndarray, column: int, s: float, x: Any, y: Any) -> None:
     _take_one(band, column, s, x)
-    store(band, (column, 4), load(band, (column, 4)) - s * y)
+    store(band, (column, 4), fused(-s, y, load(band, (column, 4))))
 
 
 @jit_inline
 def _take_three(band: np.ndarray, column: int, s: float, x: Any, y: Any, w: Any) -> None:
     _take_two(band, column, s, x, y)
-    store(band, (column, 8), load(band, (column, 8)) - s * w)
+    store(band, (column, 8), fused(-s, w, load(band, (column, 8))))
 
 
 @jit_inline
@@ -90,10 +90,10 @@ def _eliminate_all(band: np.ndarray, z: np.ndarray, n: int) -> None:
     p, q, r, pivot = load(z, (0,)), load(z, (4,)), load(z, (8,)), band[0, 0]
     for c in range(n):
         inverse, own, below = 1 / max(pivot, _LEAST), lane(p, 0), lane(x, 1)
-        pivot = band[c + 1, 0] - below * inverse * below
+        pivot = fused(-below * inverse, below, band[c + 1, 0])
         u, v, t, x, y, w = _eliminate(band, c, x, y, w, inverse)
         z[c] = own * inverse
-        p, q, r = p - u * own, q - v * own, r - t * own
+        p, q, r = fused(u, -own, p), fused(v, -own, q), fused(t, -own, r)
         p, q, r = shifted(p, q, 1), shifted(q, r, 1), shifted(r, load(z, (c + BAND,)), 1)
 
 

@@ -32,7 +32,7 @@ import numpy as np
 from motion.arithmetic.gravity import GRAVITY
 from motion.track.curve import Weights
 from worlds.compiled.jit import jit_borrowing, jit_inline
-from worlds.compiled.lanes import Some, choose, larger, root
+from worlds.compiled.lanes import Some, choose, fused, larger, root
 
 STRETCH = 100.0
 """Stiffness of a leg beyond full extension, in comfort weights: more keeps it shorter, and solves slower."""
@@ -68,7 +68,8 @@ class ComfortModel(NamedTuple):
 @jit_inline
 def mix(weights: Weights, u: Any) -> Some:
     """Sum of the four knots u by their weights."""
-    return weights[0] * u[0] + weights[1] * u[1] + weights[2] * u[2] + weights[3] * u[3]
+    w = weights
+    return fused(w[3], u[3], fused(w[2], u[2], fused(w[1], u[1], w[0] * u[0])))
 
 
 @jit_inline

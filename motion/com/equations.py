@@ -22,7 +22,7 @@ from worlds.compiled.across import bits_of, isnt, total, total_in_turn, turned
 from worlds.compiled.beside.places import counted, each_of, load_wide
 from worlds.compiled.beside.wide import WIDE
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline
-from worlds.compiled.lanes import LANES, Some, load, root, store
+from worlds.compiled.lanes import LANES, Some, fused, load, root, store
 
 BAND, WIDTH = 12, 16
 """Entries of a column from the diagonal down; with room for Lanes that begin at any of them."""
@@ -77,7 +77,7 @@ def empty_equations(n: int) -> Equations:
 def _add_both(rows: np.ndarray, first: int, a: Some, physics: tuple, b: Some, comfort: tuple) -> None:
     """The rows from `first` on get a times the numbers of one model and b times those of another."""
     for r in range(len(physics)):
-        store(rows, (first + r, 0), load_wide(rows, (first + r, 0)) + (a * physics[r] + b * comfort[r]))
+        store(rows, (first + r, 0), fused(a, physics[r], fused(b, comfort[r], load_wide(rows, (first + r, 0)))))
 
 
 @jit_inline
@@ -98,7 +98,7 @@ def _add_models(
 def _add_scaled(rows: np.ndarray, first: int, a: Some, numbers: tuple) -> None:
     """The rows from `first` on get a times the numbers, of which there are as many as of a gradient, or of a lower triangle."""
     for r in range(len(numbers)):
-        store(rows, (first + r, 0), load_wide(rows, (first + r, 0)) + a * numbers[r])
+        store(rows, (first + r, 0), fused(a, numbers[r], load_wide(rows, (first + r, 0))))
 
 
 @jit_inline

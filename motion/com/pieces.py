@@ -9,7 +9,7 @@ from motion.track.basis import ORDER, Basis
 from motion.track.curve import Weights
 from worlds.compiled.beside.places import counted, counting, each_of, load_wide
 from worlds.compiled.jit import jit_inline
-from worlds.compiled.lanes import Some, store
+from worlds.compiled.lanes import Some, fused, store
 
 
 class Pieces(NamedTuple):
@@ -56,7 +56,7 @@ def pieces_from(time: np.ndarray, weight: np.ndarray, samples: int, basis: Basis
 
 @jit_inline
 def _share_of(p: Weights, s: float) -> Some:
-    return p[0] + s * (p[1] + s * (p[2] + s * p[3]))
+    return fused(fused(fused(p[3], s, p[2]), s, p[1]), s, p[0])
 
 
 @jit_inline

@@ -168,13 +168,14 @@ class _Absolute(AbstractTemplate):
 
 @lower_builtin(abs, LanesType)
 def _abs(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-    return one_by_llvm(builder, "fabs", args[0])
+    return by_llvm(builder, "fabs", args[0])
 
 
-def one_by_llvm(builder: Any, name: str, value: Any) -> Any:
-    """LLVM's function of one number, or of as many as there are lanes."""
-    lanes = value.type.count if isinstance(value.type, ir.VectorType) else 0
+def by_llvm(builder: Any, name: str, *values: Any) -> Any:
+    """LLVM's function of numbers, or of as many as there are lanes of each."""
+    one = values[0].type
+    lanes = one.count if isinstance(one, ir.VectorType) else 0
     called = f"llvm.{name}.{f'v{lanes}f64' if lanes else 'f64'}"
-    kind = ir.FunctionType(value.type, [value.type])
+    kind = ir.FunctionType(one, [one] * len(values))
     known = builder.module.globals.get(called)
-    return builder.call(known or ir.Function(builder.module, kind, called), [value])
+    return builder.call(known or ir.Function(builder.module, kind, called), values)

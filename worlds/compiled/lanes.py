@@ -13,7 +13,7 @@ from numba.core import cgutils, types
 from numba.core.typing.templates import signature
 
 from worlds.compiled.jit import intrinsic
-from worlds.compiled.kinds import KIND, MASK, LanesType, MaskType, WholesType, bits, one_by_llvm, spread, truths, wide
+from worlds.compiled.kinds import KIND, MASK, LanesType, MaskType, WholesType, bits, by_llvm, spread, truths, wide
 from worlds.compiled.kinds import LANES as LANES
 
 Some = Any
@@ -57,7 +57,7 @@ def _of_one(name):
         result = x if isinstance(x, LanesType) else types.float64
 
         def codegen(context, builder, sig, args):
-            return one_by_llvm(builder, name, args[0] if x == result else context.cast(builder, args[0], x, result))
+            return by_llvm(builder, name, args[0] if x == result else context.cast(builder, args[0], x, result))
 
         return signature(result, x), codegen
 
@@ -89,6 +89,17 @@ larger: Any = _of_two(">")
 """The larger of two; the second where the first is not a number."""
 smaller: Any = _of_two("<")
 """The smaller of two; the second where the first is not a number."""
+
+
+@intrinsic
+def fused(_, x, y, z):
+    """x y + z, rounded once: one instruction, with the same bits wherever it stands."""
+    result = _joined(x, y, z) if wide(x, y, z) else types.float64
+
+    def codegen(context, builder, sig, args):
+        return by_llvm(builder, "fma", *_fit(context, builder, sig.args, args, result))
+
+    return signature(result, x, y, z), codegen
 
 
 @intrinsic

@@ -6,7 +6,7 @@ from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.typing.templates import signature
 
-from worlds.compiled.beside.wide import NUMBERS, WHOLES, WIDE, addresses, element_of, gather
+from worlds.compiled.beside.wide import NUMBERS, WHOLES, WIDE, addresses, element_of, gather, lanes_in
 from worlds.compiled.jit import intrinsic, jit_inline
 from worlds.compiled.kinds import spread
 from worlds.compiled.lanes import choose, loaded, pointer
@@ -39,7 +39,7 @@ def each_of(_, array, rows, index):
         struct = context.make_array(array)(context, builder, args[0])
         strides = cgutils.unpack_tuple(builder, struct.strides, array.ndim)
         base = _behind(context, builder, builder.ptrtoint(struct.data, ir.IntType(64)), index, args[2], strides[1:])
-        return gather(context, builder, array.dtype, addresses(context, builder, base, args[1], strides[0]))
+        return gather(context, builder, array.dtype, lanes_in(builder, addresses(context, builder, base, args[1], strides[0])))
 
     return signature(element_of(array.dtype), array, rows, index), codegen
 

@@ -9,9 +9,8 @@ from numba.core import cgutils, types
 from numba.core.typing.templates import AttributeTemplate, infer_getattr, signature
 from numba.extending import lower_getattr_generic, models, register_model
 
-from worlds.compiled.beside.wide import NUMBERS, WHOLES, WIDE, addresses, gather
+from worlds.compiled.beside.wide import NUMBERS, WIDE, addresses, gather, lanes_in
 from worlds.compiled.jit import intrinsic, stack_array
-from worlds.compiled.kinds import spread
 
 
 class BesideType(types.Type):
@@ -59,11 +58,11 @@ def records_beside(dtype: np.dtype) -> Any:
         def codegen(context, builder, sig, args):
             array = context.make_array(records)(context, builder, args[0])
             base, size = builder.ptrtoint(array.data, ir.IntType(64)), context.get_constant(types.intp, dtype.itemsize)
-            found = addresses(context, builder, base, args[1], size)
+            first = lanes_in(builder, addresses(context, builder, base, args[1], size))
             block_at = context.make_array(block)(context, builder, args[2]).data
             with cgutils.for_range(builder, context.get_constant(types.intp, many)) as loop:
-                offset = spread(context, builder, types.int64, builder.mul(loop.index, ir.Constant(ir.IntType(64), 8)), WHOLES)
-                found = gather(context, builder, types.float64, builder.add(found, offset))
+                offset = builder.mul(loop.index, ir.Constant(ir.IntType(64), 8))
+                found = gather(context, builder, types.float64, [builder.add(one, offset) for one in first])
                 at = builder.gep(block_at, [builder.mul(loop.index, ir.Constant(ir.IntType(64), WIDE))])
                 builder.store(found, builder.bitcast(at, found.type.as_pointer()), align=8)
             return block_at

@@ -26,14 +26,18 @@ def element_of(dtype: Any) -> Any:
     return LanesType(WIDE) if isinstance(dtype, types.Float) else WHOLES
 
 
-def gather(context: Any, builder: Any, dtype: Any, addresses: Any) -> Any:
+def lanes_in(builder: Any, vector: Any) -> list[Any]:
+    """Each lane of a vector."""
+    return [builder.extract_element(vector, ir.Constant(ir.IntType(32), k)) for k in range(WIDE)]
+
+
+def gather(context: Any, builder: Any, dtype: Any, places: list[Any]) -> Any:
     """What lies at WIDE addresses."""
     element = context.get_data_type(dtype)
     found = ir.Constant(ir.VectorType(element, WIDE), ir.Undefined)
-    for k in range(WIDE):
-        lane = ir.Constant(ir.IntType(32), k)
-        at = builder.inttoptr(builder.extract_element(addresses, lane), element.as_pointer())
-        found = builder.insert_element(found, builder.load(at), lane)
+    for k, at in enumerate(places):
+        one = builder.load(builder.inttoptr(at, element.as_pointer()))
+        found = builder.insert_element(found, one, ir.Constant(ir.IntType(32), k))
     if isinstance(dtype, types.Boolean):
         return truths(builder, builder.icmp_unsigned("!=", found, ir.Constant(found.type, [0] * WIDE)))
     return found
