@@ -5,7 +5,7 @@ import pytest
 
 from worlds.compiled.across import bits_of, lane, shifted, total, total_in_turn, turned
 from worlds.compiled.jit import jit, jit_borrowing, jit_inline, stack_array
-from worlds.compiled.lanes import LANES, choose, lanes_of, larger, load, root, store
+from worlds.compiled.lanes import LANES, choose, fused, lanes_of, larger, load, root, store
 
 N = 5 * LANES
 
@@ -58,6 +58,21 @@ def test_formula_is_numpy_s(numbers):
     np.testing.assert_array_equal(lanes[1], np.maximum(x, y))
     np.testing.assert_allclose(lanes[2], np.where((x >= y) | (y <= 0), 1.0, r), rtol=1e-12)
     np.testing.assert_array_equal(lanes[3], np.where(x < 0.5, x, 0.0))
+
+
+@jit
+def fused_by_lanes(x, y, z, out):
+    store(out, (0,), fused(load(x, (0,)), load(y, (0,)), load(z, (0,))))
+    for i in range(LANES):
+        out[LANES + i] = fused(x[i], y[i], z[i])
+
+
+def test_a_product_and_a_sum_are_rounded_once():
+    """(1 + e)^2 - 1 - 2 e is e^2, which two roundings lose."""
+    e = np.array([2.0**-30, 2.0**-40, -(2.0**-35), 0.0])
+    out = np.zeros(2 * LANES)
+    fused_by_lanes(1 + e, 1 + e, -1 - 2 * e, out)
+    assert out.tolist() == [*(e * e), *(e * e)]
 
 
 @jit
