@@ -84,7 +84,6 @@ class Watch:
         self.sole = 0.5 * np.stack([foot["length"], foot["width"]], axis=1)[kind]
         self.anchor, self.since = sim.snapshot().com[:, :2], np.zeros(len(kind))
         self.body_overlap, self.standstill, self.stillest = -np.inf, 0.0, -1
-        self.bodies_met = 0
         self.arrived = np.full(len(kind), np.nan)
 
     def run(self, seconds: float) -> "Watch":
@@ -109,7 +108,6 @@ class Watch:
             radii = sum(radius_of(self.half[k], np.arctan2(d[:, 1], d[:, 0]) - yaw[k]) for k in (i, j))
             share = (radii - np.hypot(*d.T)) / (2 * np.minimum(self.half[i], self.half[j]).min(axis=1))
             self.body_overlap = max(self.body_overlap, float(share.max()))
-            self.bodies_met += int((share > 0.05).sum())
         if isinstance(sim.planner, WalkTo) and not sim.planner.again:
             there = sim.crowd.standing & (
                 np.linalg.norm(com - sim.plans.stops[:, -1], axis=1) < 4 * sim.bipeds["gait"]["preferred_step"][0]
@@ -154,7 +152,6 @@ class Watch:
             "feet overlaps": pairs,
             "by mm": 1e3 * depth,
             "body overlap % of depth": 100 * self.body_overlap,
-            "looks above 5 %": self.bodies_met,
             "least clearance m": self.tree_clearance(),
             "longest standstill s": self.standstill,
             "not arrived": int(np.isnan(self.arrived).sum()) if isinstance(self.sim.planner, WalkTo) else 0,

@@ -151,7 +151,7 @@ def optimise_track(
     At its ends position, velocity and, of a smooth curve, acceleration are fixed: what is before and after fits on.
     """
     problem, support = laying.build_problem(biped, footprints, span.begin, span.end, layout)
-    problem = problems.with_effort(problem, problem.strength, problem.jerk_weight, _pulls(problem.time, span.pull))
+    problem = problems.with_effort(problem, problem.strength, problem.jerk_weight, on_pieces(problem.time, span.pull))
     last = len(problem.time) - 1
     control, stand = np.zeros((last + 1, 6)), np.full((last + 1, 2), -1)
     control[0], control[last] = span.state[0], span.state[1]
@@ -167,7 +167,7 @@ def optimise_track(
 
 
 @jit
-def _pulls(time: np.ndarray, pull: np.ndarray) -> np.ndarray:
+def on_pieces(time: np.ndarray, pull: np.ndarray) -> np.ndarray:
     """Springs (P, 5) by their times as springs by segments, those within the time (m + 1,) of the segments."""
     out, kept = np.zeros((len(pull), pull.shape[1] + 1)), 0
     for n in range(len(pull)):
@@ -190,7 +190,7 @@ def lay_window(biped: Dimensions, footprints: Footprints, begin: float) -> tuple
     """Problem and support of the live window from `begin` [s] on."""
     problem, support = laying.build_problem(biped, footprints, begin, window_end(footprints), LIVE)
     if _stands(footprints):
-        pull = _pulls(problem.time, settling(biped, footprints, problem.time, REST_STIFFNESS[0]))
+        pull = on_pieces(problem.time, settling(biped, footprints, problem.time, REST_STIFFNESS[0]))
         problem = problems.with_effort(problem, problem.strength, problem.jerk_weight, pull)
     return problem, support
 

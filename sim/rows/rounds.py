@@ -29,6 +29,7 @@ from planner.stepping.taking import take_step
 from planner.velocities import orca
 from sim.rows.crowd import REAL, TENTATIVE, Crowd, commit, committed_of, empty_crowd, footprints_of, horizon, shift
 from sim.rows.posing import SHARE, WORKERS, fetch_row
+from sim.rows.pressing import press_apart
 from worlds.compiled.jit import jit, jit_borrowing, jit_parallel
 from worlds.compiled.parts import Part, call, call_three, fetch, handle, take
 from worlds.compiled.tables import row
@@ -146,6 +147,8 @@ def optimise_step(address: int, c: int) -> None:
         work.round.bipeds[crowd.kind[c]], footprints, committed_of(crowd, c), window, crowd.points[c], work.effort,
     )  # fmt: skip
     crowd.points[c] = points
+    if work.others != 0:
+        solved = press_apart(crowd, work.round.bipeds, work.round.reservations, c, solved, work.effort)
     crowd.window_cost[c, 0], crowd.window_cost[c, 1] = solved.cost, solved.iterations
     commit(crowd, c, up_to(window, points - 1), footprints.contact_time[n - 1])
 

@@ -25,6 +25,11 @@ KINDS = {"people": ("human",), "birds": ("bird",), "dinosaurs": ("dinosaur",), "
 """Who goes against each other."""
 TEN, SIX, FIVE = 10, 6, 5
 """Chance is asked so often where the longest standstill counts, where the longest overlap does, and to compare two flows."""
+OVERLAPS = (
+    ("longest", " by 5 %", "s", 0.5, figures.longest_overlap),
+    ("deepest", "", "of depth", 0.05, figures.deepest_overlap),
+)
+"""What is told of bodies that overlap: of what, by how much, unit, band, figure."""
 EACH, APART = 100, 0.9
 """So many on a circle, and how far from each other [m]."""
 
@@ -74,6 +79,10 @@ def _still(scale: float, all: list[Flow]) -> float:
     return still_before(all[0], scale)
 
 
+def _overlap(figure: Callable[[Flow], float], all: list[Flow]) -> float:
+    return figure(all[0])
+
+
 def _stands(all: list[Flow]) -> float:
     """The longest standstill before the gap of a counterflow [s]; inf: not all are through."""
     flow = all[0]
@@ -95,9 +104,9 @@ def cases() -> list[Case]:
         Case("there, at 1.5 per m^2: order of lanes", "", 0.8, 1.0, by_seeds(partial(places.two_ways, 1.5)),
              median_of(lambda all: figures.lanes(all[0], places.met(all[0])))),
         Case("a neck of 4 m instead of 1 m: flow, in that of the short one", "times", 0.5, 1.0, necks, median_of(_slower, 2)),
-        *(Case(f"bottleneck {width:g} m wide: longest that bodies overlap by 5 %", "s", 0.0, 0.5,
-               by_seeds(partial(_neck, width, 100, 1.0), seeds=tuple(range(1, SIX + 1))),
-               worst_of(lambda all: figures.longest_overlap(all[0]))) for width in (1.2, 0.9)),
+        *(Case(f"bottleneck {width:g} m wide: {most} that bodies overlap{by}", unit, 0.0, band,
+               by_seeds(partial(_neck, width, 100, 1.0), seeds=tuple(range(1, SIX + 1))), worst_of(partial(_overlap, figure)))
+          for width in (1.2, 0.9) for most, by, unit, band, figure in OVERLAPS),
         Case("bottleneck 1.2 m wide, 400 people: flow", "1/(m s)", 1.6, 2.1, [partial(_neck, 1.2, 400, 1.0)],
              lambda all: flows.specific_flow(all[0], 1.2)),
         Case("bottleneck 3 m wide, 400 people: flow", "1/(m s)", 1.6, 2.1, [partial(_neck, 3.0, 400, 1.0)],

@@ -85,3 +85,8 @@ def gaps(half: np.ndarray, heading: np.ndarray, half2: np.ndarray, heading2: np.
 def longest_overlap(flow: Flow) -> float:
     """The longest time for which anyone lies in others by more than DEEP of its depth [s]."""
     return longest_run(overlaps(flow) > DEEP) / PER_SECOND
+
+
+def deepest_overlap(flow: Flow) -> float:
+    """How deep a body lies in another at most, in its depth; 0 where none does."""
+    return float(overlaps(flow).max())

@@ -5,12 +5,13 @@ import pytest
 
 from motion.track.footprints import Feet, Foot
 from planner.crowd import terms
-from planner.crowd.bodies import gap_between
+from planner.crowd.bodies import gap_between, press_between
 from planner.crowd.candidates import bearing_of, candidate
 from planner.crowd.terms import room_in
 from planner.crowd.walker import PRESSED, SQUEEZE, squeeze, walker_of
 from planner.round.reservations import strays
 from planner.round.round import Me
+from sim.reports.throngs import figures
 from tests.planner.crowd.test_avoiding import TABLE, around, nothing_held
 from tests.planner.crowd.test_terms import LONG, B, other, waiting
 from worlds.world import World
@@ -50,3 +51,18 @@ def test_who_has_long_stood_presses_into_the_room_that_bodies_keep():
     np.testing.assert_allclose(pressed, SQUEEZE * np.outer([0, 0.5, 1, 1], keeps), err_msg="never into bodies")
     touching = other(0.25, 0.0)
     assert speed(waiting(), touching) == 0 < speed(waiting()._replace(press_deep=0.08, press_wide=0.04), touching)
+
+
+def test_two_that_just_touch_press_by_how_far_one_must_move_and_that_way():
+    random, half, told, twin, left = np.random.default_rng(3), (0.135, 0.21), [], [], []
+    for _ in range(300):
+        (first, second, angle), far = random.uniform(-np.pi, np.pi, 3), random.uniform(0.24, 0.4)
+        p, faces = far * np.array([np.cos(angle), np.sin(angle)]), [(np.cos(a), np.sin(a)) for a in (first, second)]
+        one = press_between(half, faces[0], half, faces[1], *p)
+        ways = np.array([p, p + one.deep * np.array([one.x, one.y])])
+        deep, after = -figures.gaps(np.array([half] * 2), np.full(2, first), np.array([half] * 2), np.full(2, second), ways)
+        if abs(deep) < 0.05:
+            told, twin, left = [*told, one.deep], [*twin, deep], [*left, after]
+    assert len(told) > 50
+    np.testing.assert_allclose(told, twin, atol=5e-4)
+    np.testing.assert_allclose(left, 0, atol=5e-4, err_msg="so far moved, they only touch")

@@ -57,7 +57,7 @@ def test_bodies_that_face_alike_overlap_by_what_they_are_too_near():
     flow.place[:, 1, 0] += np.where(np.arange(40) < 25, 0.24, 0.5)
     flow = flow._replace(heading=np.zeros((40, 2)), half=np.tile([0.15, 0.25], (2, 1)))
     np.testing.assert_allclose(figures.overlaps(flow)[[0, 39]], [[0.2, 0.2], [0, 0]], atol=1e-12)
-    assert figures.longest_overlap(flow) == pytest.approx(2.5)
+    assert figures.longest_overlap(flow) == pytest.approx(2.5) and figures.deepest_overlap(flow) == pytest.approx(0.2)
 
 
 def _apart(half, heading, half2, heading2, p):
