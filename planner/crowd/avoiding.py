@@ -10,7 +10,7 @@ from motion.track.footprints import step_onto
 from planner.crowd.candidates import QUICK, Candidate, candidate_to
 from planner.crowd.choosing import STANDING
 from planner.crowd.sides import keep_right, straight_on
-from planner.crowd.walker import CROWDED, PRESSED, Walker, calmed, walker_of
+from planner.crowd.walker import CROWDED, PRESSED, Walker, calmed, look_where, walker_of
 from planner.round import reservations
 from planner.round.round import Me, Round, Wish, biped_of, standing
 from planner.stepping.beside import middle_beside, middle_of
@@ -90,6 +90,7 @@ def give_way(round: Round, me: Me, wish: Wish, choose: Choice) -> Wish:
     """The wish, or what a model chooses that is free of others. Sets my intents: aim, and how many steps others hindered."""
     intents, c, step, hindered = round.intents, me.c, wish.step, me.hindered
     intend(round, me, wish)
+    look_where(round, me, step.stands == 0)
     if step.stands > 0 and not wish.goes:
         intents.stood[c] = 0
         return wish

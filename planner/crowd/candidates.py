@@ -116,6 +116,12 @@ def candidate(biped: Dimensions, walker: Walker, to: Bearing, length: float) -> 
 
 
 @jit_inline
+def rest_after(walker: Walker, step: Candidate) -> Place:
+    """Where the body comes to rest after a step: between the feet."""
+    return 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y)
+
+
+@jit_inline
 def keep(record: Any, step: Candidate) -> None:
     """Fills in a record of CANDIDATE with a step."""
     record.x, record.y, record.heading = step.x, step.y, step.heading
@@ -198,7 +204,7 @@ def is_free(round: Round, walker: Walker, near: np.ndarray, step: Candidate) -> 
     Who is in the way becomes the first of those near: it is in the way of the next step that is tried, too.
     """
     held = round.reservations
-    rest = (0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y))
+    rest = rest_after(walker, step)
     heading = sole_heading(round.bipeds[round.kind[walker.c]], walker.side, step.heading)
     sole = sole_of(held.sole, walker.c, step.foot_x, step.foot_y, heading)
     facing = 0.5 * (walker.heading + step.heading)

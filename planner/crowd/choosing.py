@@ -16,7 +16,7 @@ from planner.crowd import candidates, terms
 from planner.crowd.candidates import CANDIDATE, DIRECTIONS, QUICK, Candidate, bearing_of, candidate, candidate_in
 from planner.crowd.neighbour import NEIGHBOUR, close_by, see
 from planner.crowd.sides import AGAINST, meets, on_the_right, wrong_side
-from planner.crowd.walker import CROWDED, Walker
+from planner.crowd.walker import CROWDED, LONGER, Walker, longer
 from planner.round.round import Round
 from worlds.compiled.jit import jit_borrowing, stack_array
 
@@ -89,17 +89,14 @@ def cost_of(round: Round, walker: Walker, others: Any, right: float, step: Candi
     vx, vy = own.vx, own.vy
     touch = near = yields = rest_x = rest_y = 0.0
     if goes:
-        rest_x, rest_y = (
-            0.5 * (walker.foot_x + step.foot_x) - walker.rest_x,
-            0.5 * (walker.foot_y + step.foot_y) - walker.rest_y,
-        )
+        rest_x = 0.5 * (walker.foot_x + step.foot_x) - walker.rest_x
+        rest_y = 0.5 * (walker.foot_y + step.foot_y) - walker.rest_y
     for i in range(len(others)):
         other = others[i]
         touch = max(touch, terms.danger(walker, other, vx, vy, weights.horizon, swing))
         near += terms.nearness(walker, other, vx, vy, step.time, weights.distance * stride)
         yields = max(yields, terms.in_the_way(walker, other, rest_x, rest_y))
-    cost = own.going
-    cost += weights.touch * touch + weights.near * near
+    cost = own.going + (weights.touch * touch + weights.near * near)
     cost += own.side + weights.rank * yields
     return cost if goes else cost + weights.stand
 
@@ -109,9 +106,12 @@ def _claim(round: Round, walker: Walker, others: Any, x: float, y: float) -> Non
     """Sets my claim: to rest at x, y, as I would if nobody were there; with my rank, or with that of whom I am in the way of.
 
     Less one, so that a whole queue backs off, and nobody is pushed back by those whom it pushes (priority inheritance; Okumura,
-    Machida, Defago & Tamura 2022).
+    Machida, Defago & Tamura 2022). Who has long been where it is claims a step along its course: the cheapest is to stand.
     """
-    intents, c, rank = round.intents, walker.c, float(walker.hindered)
+    intents, c, rank, biped = round.intents, walker.c, float(walker.hindered), round.bipeds[round.kind[walker.c]]
+    if walker.time - intents.since[c] > LONGER * pendulum_time(biped.timing.hip_height):
+        to = bearing_of(biped, walker, DIRECTIONS[0])
+        x, y = candidates.rest_after(walker, candidate(biped, walker, to, CLAIMS * to.longest))
     for i in range(len(others)):
         if others[i].rank - 1 > rank and terms.in_the_way(walker, others[i], 0.0, 0.0) > 0:
             rank = others[i].rank - 1
@@ -236,7 +236,7 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
     cost, length = _costs(), _lengths()
     biped, aim = round.bipeds[round.kind[c]], (round.intents.aim[c, 0], round.intents.aim[c, 1])
     least, claimed = LEAST * biped.gait.preferred_step, False
-    see(round.reservations, walker, aim, float(walker.hindered), near, others)
+    see(round.reservations, walker, aim, float(walker.hindered), longer(round, c), near, others)
     close, dense = close[: close_by(round, walker, others, close)], dense[: _dense(round, walker, others, dense)]
     scratch = Scratch(others, close, dense, _past_those(round, walker, others), cost, _truths(), length, _steps())
     right = max(on_the_right(walker, others, aim, round.reservations.reach), left)
@@ -254,7 +254,7 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
         if not candidates.crosses(biped, walker, step) and candidates.is_open(round, walker, step):
             if not claimed:
                 claimed = True
-                _claim(round, walker, others, 0.5 * (walker.foot_x + step.foot_x), 0.5 * (walker.foot_y + step.foot_y))
+                _claim(round, walker, others, *candidates.rest_after(walker, step))
             if (k == WISH or length[k] > 0) and candidates.is_free(round, walker, near, step):
                 return step
         if k < STAND and claimed:

@@ -59,11 +59,14 @@ class Neighbour:
 
 
 @jit_borrowing
-def see(held: Reservations, walker: Walker, aim: Place, rank: float, near: np.ndarray, others: Any) -> None:
+def see(
+    held: Reservations, walker: Walker, aim: Place, rank: float, longer: float, near: np.ndarray, others: Any
+) -> None:  # fmt: skip
     """Fills others (K,) with those `near` (K,), as my body comes to rest beside my last footprint.
 
     Everyone is expected to keep its pace: that of its last step. `aim` and `rank` are mine; of equal ranks the lower number
-    goes first. In a queue nobody has the right of way: all would wait for the one who has waited longest.
+    goes first. In a queue nobody has the right of way, since all would wait for the one who has waited longest; but who has
+    been where it is since before `longer` [s].
     """
     rest = COMMITTED - 1
     for i, j in enumerate(near):
@@ -81,7 +84,8 @@ def see(held: Reservations, walker: Walker, aim: Place, rank: float, near: np.nd
         other.face_x, other.face_y = held.face[j, 0], held.face[j, 1]
         other.along = held.aim[j, 0] * aim[0] + held.aim[j, 1] * aim[1]
         other.rank, other.claim_x, other.claim_y = held.rank[j], inf, inf
-        if other.rank > 0 and other.along < ALIKE and (other.rank > rank or (other.rank == rank and j < walker.c)):
+        first = other.along < ALIKE and (other.rank > rank or (other.rank == rank and j < walker.c))
+        if other.rank > 0 and (first or held.since[j] < longer):
             other.claim_x, other.claim_y = held.claim[j, 0] - walker.rest_x, held.claim[j, 1] - walker.rest_y
 
 

@@ -1,8 +1,9 @@
 """Who plans among others: its last footprint, and when and where its body will be as that one lands."""
 
-from math import cos, sin
+from math import cos, hypot, sin
 from typing import NamedTuple
 
+from motion.arithmetic.gravity import pendulum_time
 from planner.crowd.bodies import extent
 from planner.round.reservations import lag, strays
 from planner.round.round import Me, Round, biped_of
@@ -20,6 +21,11 @@ NEAREST = 0.95
 """Who is nearer to a tree, wall or border than half its width, as bodies sway, comes no nearer than this share of it."""
 CROWDED = 48
 """Where more others than this are in reach, one looks for those who are nearer."""
+STAYS = 0.2
+"""Who is no further than so many preferred steps from where it was is still there: it shuffles."""
+LONGER = 10.0
+"""Who has been where it is for so many swings longer than another has the right of way over it, though they go the same way:
+people merge before a door like the teeth of a zipper."""
 
 
 class Walker(NamedTuple):
@@ -95,3 +101,18 @@ def calmed(w: Walker, wish_x: float, wish_y: float) -> Walker:
         True, wish_x, wish_y, w.hindered, w.course, w.face_x, w.face_y, w.deep, w.wide, w.press_deep, w.press_wide,
         w.room, w.careful,
     )  # fmt: skip
+
+
+@jit_borrowing
+def look_where(round: Round, me: Me, waits: bool) -> None:
+    """Notes since when I am about where I am; who does not wait to go on, but stands as it wishes, is there anew each time."""
+    intents, c, older, newer = round.intents, me.c, me.feet.older, me.feet.newer
+    x, y, stride = 0.5 * (older.x + newer.x), 0.5 * (older.y + newer.y), round.bipeds[round.kind[c]].gait.preferred_step
+    if not waits or hypot(x - intents.about[c, 0], y - intents.about[c, 1]) > STAYS * stride:
+        intents.about[c, 0], intents.about[c, 1], intents.since[c] = x, y, newer.contact_time
+
+
+@jit_borrowing
+def longer(round: Round, c: int) -> float:
+    """Those who have been where they are since before that time [s] have been there for longer than character c."""
+    return round.intents.since[c] - LONGER * pendulum_time(round.bipeds[round.kind[c]].timing.hip_height)

@@ -42,6 +42,7 @@ class Reservations(NamedTuple):
     path: np.ndarray  # (C, COMMITTED + TENTATIVE, 3) x, y of the body's middle, when it is there [s]
     aim: np.ndarray  # (C, 2) unit vector of the course that it would take if nobody were there; 0, 0 where it stays
     rank: np.ndarray  # (C,) how many steps others have kept it, or one whose claim it is in the way of, from getting on
+    since: np.ndarray  # (C,) since when it has been about where it is [s]
     face: np.ndarray  # (C, 2) unit vector in which the body faces at rest
     claim: np.ndarray  # (C, 2) where the body would rest next if nobody of lower rank were there [m]
     sole: np.ndarray  # (C, 2) half the length of the line in the middle of a sole, and the radius around it [m]
@@ -62,6 +63,8 @@ class Intents(NamedTuple):
     ahead: Pairs  # (C, 2) unit vector to where its way leads some steps on, of those whose planner tells; 0, 0: of the others
     claim: Pairs  # (C, 2) as Reservations
     rank: Numbers  # (C,) as Reservations
+    since: Numbers  # (C,) as Reservations
+    about: Pairs  # (C, 2) where it has been since then [m]
     hindered: Integers  # (C,) steps that others kept from getting on
     stood: Integers  # (C,) how often, of late, others left it nothing but to stand
 
@@ -81,6 +84,7 @@ def empty_reservations(bipeds: Any, kind: np.ndarray, size: tuple[float, float],
         path=np.zeros((c, COMMITTED + TENTATIVE, 3)),
         aim=np.zeros((c, 2)),
         rank=np.zeros(c),
+        since=np.zeros(c),
         face=np.tile([1.0, 0.0], (c, 1)),
         claim=np.zeros((c, 2)),
         sole=soles(bipeds)[kind],

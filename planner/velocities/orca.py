@@ -7,7 +7,7 @@ them least. A step at that velocity follows; that it is free remains the hard gu
 It knows bodies as discs, no walls, no side and no right of way.
 """
 
-from math import atan2, hypot, sqrt
+from math import atan2, hypot, inf, sqrt
 from typing import Any
 
 import numpy as np
@@ -77,8 +77,8 @@ def choose(round: Round, walker: Walker, wished: Candidate, left: float, near: n
     """The step at the velocity that is left nearest to the wished one; its time is 0 where that is to stand."""
     c, held, biped = walker.c, round.reservations, round.bipeds[round.kind[walker.c]]
     others, myself, planes = np.empty(len(near), NEIGHBOUR), np.empty(1, NEIGHBOUR), np.empty((len(near), 4))
-    see(held, walker, (0.0, 0.0), 0.0, near, others)
-    see(held, walker, (0.0, 0.0), 0.0, np.array([c]), myself)
+    see(held, walker, (0.0, 0.0), 0.0, -inf, near, others)
+    see(held, walker, (0.0, 0.0), 0.0, -inf, np.array([c]), myself)
     swing, wish = pendulum_time(biped.timing.hip_height), (0.0, 0.0)
     if wished.time > 0:
         wish = ((wished.x - walker.x) / wished.time, (wished.y - walker.y) / wished.time)

@@ -163,8 +163,9 @@ def check_crowd(crowd: Crowd, kind: np.ndarray, horizon: float, there: np.ndarra
     within("crowd.segments", crowd.segments, 1, curve.time.shape[1] - 1)
     within("crowd.points", crowd.points, 0, window.time.shape[1])
     limits = {"hindered": (0, 2**53), "rank": (0, 2**53), "claim": (-2 * FAR, 2 * FAR), "aim": (-1.001, 1.001)}
-    for name, (low, high) in (limits | {"ahead": limits["aim"], "stood": limits["hindered"]}).items():
+    for name, (low, high) in (limits | {"ahead": limits["aim"], "stood": limits["hindered"], "about": limits["claim"]}).items():
         within(f"crowd.intents.{name}", getattr(crowd.intents, name), low, high)
+    within("crowd.intents.since", crowd.intents.since, -RUN_FROM, RUN_FROM)
     for name, table in (("committed", curve), ("window", window)):
         within(f"crowd.{name}.support", table.support, -1, rows - 1)
         within(f"crowd.{name}.control", table.control, -FAR, FAR)

@@ -165,6 +165,7 @@ def publish(crowd: Crowd, round: Round, c: int) -> None:
     held.due[c] = horizon(crowd, c)
     held.aim[c, 0], held.aim[c, 1] = intents.aim[c, 0], intents.aim[c, 1]
     held.rank[c], held.claim[c, 0], held.claim[c, 1] = intents.rank[c], intents.claim[c, 0], intents.claim[c, 1]
+    held.since[c] = intents.since[c]
     facing = 0.5 * (f.heading[c, n - 2] + f.heading[c, n - 1])
     held.face[c, 0], held.face[c, 1] = cos(facing), sin(facing)
     late = reservations.lag(round.bipeds[crowd.kind[c]])

@@ -148,7 +148,7 @@ class Simulation(Cast):
             self.stand_beside(one.row, (one.x, one.y), one.heading)
             self.crowd.number[one.row], intents = max(number, 2), self.crowd.intents
             intents.aim[one.row], intents.rank[one.row], intents.hindered[one.row] = 0.0, 0.0, 0
-            intents.stood[one.row] = 0
+            intents.stood[one.row], intents.since[one.row] = 0, self.time
             self.crowd.paused[one.row] = False
         self._go_on_measuring(np.array([one.row for one in come]), before)
         self._publish_anew()

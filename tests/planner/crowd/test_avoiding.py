@@ -112,13 +112,13 @@ def test_who_meet_head_on_pass_each_other():
     assert np.linalg.norm(sim.snapshot().com[:, :2] - planner.stops[:, 0], axis=1).max() < 0.6
 
 
-def facing(x, y, claim=(0.0, 0.0), rank=0.0, hindered=0, aim=(-1.0, 0.0)):
+def facing(x, y, claim=(0.0, 0.0), rank=0.0, hindered=0, aim=(-1.0, 0.0), longer=-np.inf):
     """What one who stands at 5, 5, on its way to +x, sees of another who stands at x, y, and claims a place."""
     held = nothing_held()
     held.path[0, :, :2], held.path[1, :, :2] = (5, 5), (x, y)
     held.aim[1], held.claim[1], held.rank[1] = aim, claim, rank
     found = np.zeros(1, NEIGHBOUR)
-    see(held, waiting(hindered), (1.0, 0.0), float(hindered), np.array([1]), found)
+    see(held, waiting(hindered), (1.0, 0.0), float(hindered), longer, np.array([1]), found)
     return held, found[0]
 
 
@@ -138,7 +138,7 @@ def test_others_are_expected_to_keep_the_pace_of_their_last_step():
     held, _ = facing(6.0, 5.0)
     held.path[1, :3] = [(5.6, 5.0, -1.0), (5.8, 5.0, -0.5), (6.0, 5.0, 0.0)]
     me, found = waiting()._replace(there=0.5), np.zeros(1, NEIGHBOUR)
-    see(held, me, (1.0, 0.0), 0.0, np.array([1]), found)
+    see(held, me, (1.0, 0.0), 0.0, -np.inf, np.array([1]), found)
     assert found[0]["vx"] == pytest.approx(0.4) and found[0]["x"] == pytest.approx(1.2)
 
 
