@@ -25,7 +25,7 @@ from planner.round.soles import Sole, sole_of
 from planner.stepping import timing
 from planner.stepping.beside import Place, beside, sole_heading
 from planner.stepping.footing import FINE, why_not_step
-from planner.stepping.steering import free_way
+from planner.stepping.steering import free_way, open_ahead
 from worlds import queries
 from worlds.compiled.jit import jit_borrowing, jit_inline
 
@@ -158,6 +158,13 @@ def is_open(round: Round, walker: Walker, step: Candidate) -> bool:
         foot = Foot(1 - walker.side, walker.foot_x, walker.foot_y, walker.heading, 0.0, 0.0)
         return why_not_step(biped, world, foot, step.foot_x, step.foot_y, step.heading) == FINE
     return True
+
+
+@jit_borrowing
+def part_open(round: Round, walker: Walker, far: float) -> float:
+    """The share of half a disc `far` [m] deep ahead on my course that is open between walls; no less than what I take."""
+    w, biped = walker, round.bipeds[round.kind[walker.c]]
+    return open_ahead(biped, round.world, w.x, w.y, w.course, w.room, far, 1.5 * w.wide / max(far, w.wide))
 
 
 @jit_borrowing

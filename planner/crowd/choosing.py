@@ -76,8 +76,7 @@ def _own_cost(round: Round, walker: Walker, right: float, step: Candidate, goes:
 def least_cost(round: Round, walker: Walker, right: float, step: Candidate, goes: bool) -> float:
     """What a step costs at least: others add to that (weights are not negative), also as numbers are rounded."""
     own = _own_cost(round, walker, right, step, goes)
-    cost = own.going + own.side
-    return cost if goes else cost + round.weights[round.kind[walker.c]].stand
+    return own.going + own.side + (0.0 if goes else round.weights[round.kind[walker.c]].stand)
 
 
 @jit_borrowing
@@ -120,12 +119,13 @@ def _claim(round: Round, walker: Walker, others: Any, x: float, y: float) -> Non
 
 @jit_borrowing
 def _dense(round: Round, walker: Walker, others: Any, dense: np.ndarray) -> int:
-    """Fills in where those are who may make it dense ahead, and how much each covers; returns how many. Who comes against one
-    does not count: lanes part."""
+    """Fills in who may make it dense ahead: where, and what share of open ground each covers; returns how many. Not those who
+    come against one: lanes part."""
     kind, count = round.kind[walker.c], 0
     far = round.weights[kind].ahead * round.bipeds[kind].gait.preferred_step
+    part = candidates.part_open(round, walker, far)
     for i in range(len(others)):
-        cover = terms.covered(others[i], far) if others[i].along > AGAINST else 0.0
+        cover = terms.covered(others[i], far) / part if others[i].along > AGAINST else 0.0
         if cover > 0:
             dense[count, 0], dense[count, 1], dense[count, 2] = others[i].x, others[i].y, cover
             count += 1

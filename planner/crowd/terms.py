@@ -21,9 +21,9 @@ FADED = 4.0
 """Others further away than so many distances are not felt."""
 SURE = 1e-9
 """What is beyond a bound by this [m], or share, is so however numbers are rounded."""
-STEEP, FULL, SLOWEST = 0.355, 0.95, 0.2
+STEEP, FULL, SLOWEST = 0.41, 0.95, 0.2
 """Weidmann's curve, by the share of the ground that bodies cover instead of how many there are on a square metre. STEEP
-is 1.05 times his, fitted: with his own, wide bottlenecks let fewer through than in laboratories. And the least share of the
+is 1.2 times his, fitted: with his own, bottlenecks let fewer through than in laboratories. And the least share of the
 full speed: who presses on in a jam finds gaps that the mean does not tell."""
 SHOULDER = 0.85
 """Who would touch another only further aside than this, in the width of both, does not slow down: it turns the shoulder."""

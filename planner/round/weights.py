@@ -18,9 +18,9 @@ class Weights(NamedTuple):
     """Of speed lost on the wished course; more of it presses on, and turns aside less."""
     turn: float = 0.15
     """Of a radian that the foot turns off the wished course, or the body goes off its heading: more of it walks straighter."""
-    gap: float = 0.94
+    gap: float = 0.91
     """Time gap kept to who is ahead, in swings: more of it follows from further behind, and flows less."""
-    ahead: float = 3.35
+    ahead: float = 3.55
     """How far one looks at how dense it is ahead, in strides, to walk as slowly as that tells: more of it speeds up sooner
     where a throng ends ahead, and flows more; 0 does not look."""
     meet: float = 0.2

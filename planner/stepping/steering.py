@@ -4,7 +4,7 @@ The walker's middle goes in front of it. A heading too far away is reached by sh
 walker is is always clear, so it can always turn round, and is never trapped.
 """
 
-from math import cos, pi, sin
+from math import cos, pi, sin, sqrt
 from typing import NamedTuple
 
 from motion.characters.dimensions import Dimensions
@@ -19,6 +19,11 @@ FAN = 15
 """Headings tried to either side, spread over half a turn."""
 MARGIN = 0.08
 """Tolerance kept beyond the body's radius [m]."""
+
+SECTIONS, LAST = 3, 0.6
+"""Room is measured across the course in so many places, from where one is to this share of how far one looks."""
+BESIDE = 0.02
+"""Kept from walls as room is measured [m]: people per square metre are counted up to the walls."""
 
 
 class Onward(NamedTuple):
@@ -54,6 +59,30 @@ def _open_way(world: WorldArrays, x: float, y: float, course: float, margin: flo
             return done - 0.05 if done > 0.05 else 0.0
         done += max(room, 0.05)
     return far
+
+
+@jit_borrowing
+def open_ahead(
+    biped: Dimensions, world: WorldArrays, x: float, y: float, course: float, room: float, far: float, least: float
+) -> float:  # fmt: skip
+    """The share that walls leave of half a disc `far` [m] deep ahead, in which what is near counts more
+    (planner.crowd.terms.covered): of the widest of SECTIONS across it, and no less than `least`.
+
+    So a long neck is as dense as it is between its walls, and who comes to the end of one counts the room behind it: people
+    speed up where a throng ends. room: to the nearest wall [m].
+    """
+    if room > far:
+        return 1.0
+    part, margin = least, min(BESIDE, room - 0.01)
+    for k in range(SECTIONS):
+        at = k / (SECTIONS - 1) * LAST * far
+        if free_way(biped, world, x, y, course, margin, at) < at:
+            break
+        px, py, across = x + at * cos(course), y + at * sin(course), sqrt(far * far - at * at)
+        left = free_way(biped, world, px, py, course + 0.5 * pi, margin, across) / across
+        right = free_way(biped, world, px, py, course - 0.5 * pi, margin, across) / across
+        part = max(part, 0.25 * (left * (3 - left * left) + right * (3 - right * right)))
+    return part
 
 
 @jit_borrowing
