@@ -18,7 +18,7 @@ from motion.track.footprints import Footprints
 from planner.round.reservations import Reservations
 from sim.rows.crowd import TENTATIVE, Crowd, committed_of, footprints_of, horizon
 from sim.rows.touching import close, place_of, press
-from worlds.compiled.jit import jit, jit_borrowing
+from worlds.compiled.jit import jit, jit_borrowing, stack_array
 from worlds.compiled.tables import row
 
 MOMENTS = 5
@@ -29,6 +29,7 @@ STIFFNESS = 2000.0
 """Of a spring that pulls one body out of another [1/s/m]: more lets them overlap less, and pushes harder."""
 MOST = 96
 """Where more others than this are near, one looks for those who are nearer."""
+_others = stack_array(MOST, dtype=np.int64)
 
 
 @jit
@@ -74,13 +75,19 @@ def _lay_springs(crowd: Crowd, c: int, pull: np.ndarray) -> None:
         pull[m, 1], pull[m, 2], pull[m, 3] = place_of(crowd, c, pull[m, 0])
 
 
-@jit
+@jit_borrowing
 def press_apart(crowd: Crowd, bipeds: Any, held: Reservations, c: int, solved: Solved, effort: Effort) -> Solved:
     """Solves c's window again, where its body would lie in others. solved: what was found; returns what is found then."""
-    near = np.empty(MOST, np.int64)
-    near = near[: close(crowd, held, c, near)]
-    if len(near) == 0:
-        return solved
+    near = _others()
+    count = close(crowd, held, c, near)
+    return _press_apart(crowd, bipeds, held, (c, solved, effort), near[:count]) if count > 0 else solved
+
+
+@jit
+def _press_apart(
+    crowd: Crowd, bipeds: Any, held: Reservations, own: tuple[int, Solved, Effort], near: np.ndarray
+) -> Solved:  # fmt: skip
+    c, solved, effort = own
     pull = np.empty((2 * MOMENTS, 5))
     _lay_springs(crowd, c, pull)
     footprints = footprints_of(crowd, c, crowd.real[c] + TENTATIVE)
