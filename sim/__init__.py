@@ -1,3 +1,3 @@
 """The simulation, its view, its files and its measures."""
 
-VERSION = "0.11.0"
+VERSION = "0.12.0"
