@@ -124,7 +124,7 @@ def _off_middle(flow: Flow) -> float:
 
 def _door(weights: Weights) -> Flow:
     """Ten a side go against each other through a door for one, by a seed with which it tells."""
-    sim = flows.counterflow(10, 0.8, weights, seed=7)
+    sim = flows.counterflow(10, 0.8, weights, seed=9)
     return flows.watched(sim, 60.0, sim.world.size[0] / 2, bodies=True)
 
 
