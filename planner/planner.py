@@ -42,6 +42,7 @@ class Moment(NamedTuple):
     world: World
     characters: list[Character]  # who is, or was, in each row
     place: np.ndarray  # (C, 2) of the centres of mass [m]
+    between: np.ndarray  # (C, 2) between their feet before the last step, where the bodies pass on their way to rest [m]
     rest: np.ndarray  # (C, 2) where the bodies come to rest [m]
     standing: np.ndarray  # (C,) bool
 

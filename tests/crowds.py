@@ -140,9 +140,14 @@ class Watch:
         return len(found), worst
 
     def tree_clearance(self) -> float:
-        """Of the middle of the worst footprint [m]."""
+        """Between a tree and the worst sole, a capsule [m]; below 0 it is in the tree."""
         log, w = self.sim.footprints.arrays(self.sim.crowd), self.sim.world.arrays
-        return min(queries.clearance(w, x, y) for x, y, _ in log["footprint_position"])
+        who, radius = log["footprint_character"], self.sole.min(axis=1)
+        ahead = np.column_stack([np.cos(log["footprint_heading"]), np.sin(log["footprint_heading"])])
+        line = (self.sole[:, 0] - radius)[who, None] * ahead
+        along = log["footprint_position"][:, :2] + np.linspace(-1, 1, 9)[:, None, None] * line
+        near = np.array([[queries.clearance(w, x, y) for x, y in each] for each in along])
+        return float((near - radius[who]).min())
 
     def figures(self) -> dict[str, float]:
         """All that was measured."""

@@ -16,7 +16,7 @@ from planner.crowd.apart import check_apart
 from planner.planner import Coming, Moment, Planner, Situation, checked_starts
 from planner.round.kernel import ROUND
 from planner.round.refusals import nothing_refused, raise_refused
-from planner.round.reservations import empty_reservations
+from planner.round.reservations import COMMITTED, empty_reservations
 from planner.round.round import Round
 from planner.round.weights import PEOPLE, Weights, table_of_weights
 from planner.stepping.beside import beside
@@ -104,10 +104,9 @@ class Simulation(Cast):
         come_and_go = getattr(self.planner, "come_and_go", None)
         if come_and_go is None:
             return
-        rest = self.feet().position[:, :, :2].mean(axis=1)
-        moment = Moment(
-            self.time, self.seed, self.world, self.characters, self.com()[:, :2].copy(), rest, self.crowd.standing.copy()
-        )
+        rest, between = self.feet().position[:, :, :2].mean(axis=1), self.reservations.path[:, COMMITTED - 2, :2].copy()
+        place, standing = self.com()[:, :2].copy(), self.crowd.standing.copy()
+        moment = Moment(self.time, self.seed, self.world, self.characters, place, between, rest, standing)
         gone, come = come_and_go(self.plans, moment)
         if len(gone):
             self.footprints.let_go(self.crowd, gone)

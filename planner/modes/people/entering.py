@@ -24,7 +24,8 @@ def let_in(plans: Visits, gates: Gates, moment: Moment, grid: Grid) -> list[Comi
     gates.draw(plans, moment.seed, moment.time)
     come: list[Coming] = []
     there = np.flatnonzero(plans.there)
-    taken = [*moment.place[there].tolist(), *moment.rest[there].tolist()]
+    ways = ((moment.place, moment.between), (moment.between, moment.rest))
+    taken = [[*begin, *end] for starts, ends in ways for begin, end in zip(starts[there], ends[there], strict=True)]
     wide = 2 * [_reach(moment.characters[c]) for c in there]
     for s in range(len(gates.traffic.source)):
         while plans.let_in[s] < plans.drawn[s] and len(come) < MOST_AT_ONCE * (AT_FIRST if moment.time == 0 else 1):
@@ -43,7 +44,8 @@ def _reach(character: Character) -> float:
 def _next_of(
     plans: Visits, gates: Gates, moment: Moment, grid: Grid, s: int, others: tuple[list[list[float]], list[float]]
 ) -> Coming | None:  # fmt: skip
-    """The next of a source, where a row is free and there is room for it; others: where they are and how far they reach."""
+    """The next of a source, where a row is free and there is room for it; others: their ways (x, y, x, y), and how far they
+    reach."""
     serial = int(plans.let_in[s])
     head = gates.head(moment.seed, s, serial, int(plans.head[s]))
     person = gates.person(moment.seed, s, serial, head)
@@ -54,7 +56,7 @@ def _next_of(
     if place is None:
         return None
     plans.head[s], plans.let_in[s] = head, serial + 1
-    others[0].append(place.tolist())
+    others[0].append([*place, *place])
     others[1].append(_reach(person.character))
     _enter(plans, row, moment, (s, serial, head), place)
     seen = moment._replace(characters=[person.character if c == row else one for c, one in enumerate(moment.characters)])
@@ -114,5 +116,8 @@ def _room_at(
 def _is_free(place: np.ndarray, reach: float, others: tuple[list[list[float]], list[float]]) -> bool:
     if not others[0]:
         return True
-    apart = np.hypot(*(np.array(others[0]) - place).T)
+    begin, end = np.split(np.array(others[0]), 2, axis=1)
+    way, off = end - begin, place - begin
+    share = np.clip((way * off).sum(axis=1) / np.maximum((way * way).sum(axis=1), 1e-12), 0, 1)
+    apart = np.hypot(*(off - share[:, None] * way).T)
     return bool((apart > reach + np.array(others[1])).all())

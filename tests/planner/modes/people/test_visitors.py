@@ -63,6 +63,21 @@ def test_nobody_comes_onto_somebody_else():
     until(hall(seed=4, source=[Source(area=[(1.0, 3.0), (2.0, 5.0)], rate=3.0, to=["east"])]), 15.0, look)
 
 
+def test_nobody_comes_into_the_way_of_a_step_that_is_planned():
+    """Where others stream by they came to stand within 9 cm of one who was about to pass there."""
+    nearest = []
+
+    def look(sim):
+        place = sim.com()[np.flatnonzero(sim.present()), :2]
+        apart = np.linalg.norm(place[:, None] - place[None], axis=2) + 9.0 * np.eye(len(place))
+        nearest.append(apart.min(initial=9.0))
+
+    by_the_way = Source(area=[(4.0, 2.5), (6.5, 5.5)], rate=2.0, to=["east"])
+    for seed in range(1, 5):
+        until(hall(seed=seed, source=[Source(area=ROOM, rate=2.0, to=["east"]), by_the_way]), 20.0, look)
+    assert min(nearest) > 0.25
+
+
 def test_who_comes_stands_on_legs_of_its_own_length():
     small = [Population(name="small", share=1.0, character="human", size=(0.8, 0.0))]
 
