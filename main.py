@@ -54,9 +54,11 @@ def main(arguments: list[str] | None = None) -> int:
 def _locks(options: object) -> list[str]:
     """The locks that a command needs."""
     base, video, plots, test = LOCKS
-    if getattr(options, "command", None) == "test":
+    command = getattr(options, "command", None)
+    if command == "test":
         return [base, video, plots, test]
-    return [base] + [lock for lock, asks in ((video, "video"), (plots, "plot")) if getattr(options, asks, None)]
+    figures = "pictures" if command == "verify" else "plot"
+    return [base] + [lock for lock, asks in ((video, "video"), (plots, figures)) if getattr(options, asks, None)]
 
 
 def _missing(locks: list[str]) -> list[str]:

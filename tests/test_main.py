@@ -70,6 +70,7 @@ def test_an_environment_of_somebody_else_is_left_alone(folder, capsys):
         (["export", "a.npz", "b.mp4"], ["requirements", "requirements-video"]),
         (["export", "a.npz", "b.glb"], ["requirements"]),
         (["timing", "--plot", "a.png"], ["requirements", "requirements-plots"]),
+        (["verify", "--pictures", "folder"], ["requirements", "requirements-plots"]),
         (["test", "-q"], list(main.LOCKS)),
     ],
 )

@@ -107,12 +107,12 @@ def _say_plot(options: Any) -> None:
     tell(f"wrote {os.path.abspath(options.plot)}")
 
 
-def _plots() -> ModuleType:
-    """sim.reports.plots, where there is matplotlib."""
+def _plots(option: str = "--plot") -> ModuleType:
+    """sim.reports.plots, where there is matplotlib; option: that which asks for it."""
     try:
         from sim.reports import plots
     except ImportError as error:
-        raise InputError(f"--plot: figures need matplotlib (pip install matplotlib, or the extra `plots`): {error}") from None
+        raise InputError(f"{option}: figures need matplotlib (pip install matplotlib, or the extra `plots`): {error}") from None
     return plots
 
 
@@ -132,10 +132,11 @@ def _weights(without: str | None, model: str) -> Weights:
 
 def _album(wanted: str | None) -> Any:
     """What draws crowds into a folder, where there is matplotlib; None where no pictures are asked for."""
+    if wanted is not None:
+        _plots("--pictures")
     folder = _folder(wanted, "--pictures")
     if folder is None:
         return None
-    _plots()
     from sim.reports.pictures.album import Album
 
     return Album(folder)
