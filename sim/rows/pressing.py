@@ -27,6 +27,9 @@ TIMES = 5
 """So often a window is solved again at most."""
 STIFFNESS = 2000.0
 """Of a spring that pulls one body out of another [1/s/m]: more lets them overlap less, and pushes harder."""
+DEAREST = 1.0
+"""A press may make a window cost so much more [m/s]; a body that would be thrown aside for more, as where a planner wants it to
+go through another, or one has just changed its kind, is left where it was."""
 MOST = 96
 """Where more others than this are near, one looks for those who are nearer."""
 _others = stack_array(MOST, dtype=np.int64)
@@ -91,12 +94,17 @@ def _press_apart(
     pull = np.empty((2 * MOMENTS, 5))
     _lay_springs(crowd, c, pull)
     footprints = footprints_of(crowd, c, crowd.real[c] + TENTATIVE)
+    found, iterations = solved, solved.iterations
     for _ in range(TIMES):
         if not _add_presses(crowd, bipeds, held, c, near, pull):
-            return solved
-        springs = pull[pull[:, 4] > 0]
+            break
+        springs, before = pull[pull[:, 4] > 0], crowd.window.control[c].copy()
         pressed = _solve_pressed(
             bipeds[crowd.kind[c]], footprints, committed_of(crowd, c), row(crowd.window, c), crowd.points[c], springs, effort
         )
-        solved = Solved(pressed.cost, solved.iterations + pressed.iterations)
-    return solved
+        iterations += pressed.iterations
+        if pressed.cost > solved.cost + DEAREST:
+            crowd.window.control[c] = before
+            break
+        found = pressed
+    return Solved(found.cost, iterations)
