@@ -11,7 +11,7 @@ from motion.characters.character import load_character
 from motion.characters.dimensions import Dimensions
 from motion.com import laying, newton, window
 from motion.com.newton import Effort
-from motion.com.problem import total_cost
+from motion.com.problem import Problem, total_cost
 from motion.track.curve import Curve
 from motion.track.footprints import Footprints
 from planner.modes.wander import Wander
@@ -113,28 +113,29 @@ def _solve_often(times: int, one: Window, room: Curve, effort: Effort) -> None:
         window.optimise_window(one.biped, one.footprints, one.committed, room, kept, effort)
 
 
-def cost_of(sim: Simulation, curve: Curve) -> tuple[float, float]:
-    """E of a curve over the footprints that were walked, and of their tightly solved optimum from the same start."""
+def _walked(sim: Simulation, curve: Curve) -> tuple[Problem, np.ndarray]:
+    """The problem of the footprints that were walked, and a curve's control points on it, but for the standing start."""
     footprints = sim.walked().footprints
-    walking = curve.time >= footprints.contact_time[3] - 1e-9  # the standing start is left out
+    walking = curve.time >= footprints.contact_time[3] - 1e-9
     times, controls = curve.time[walking], curve.control[walking]
     problem, _ = laying.build_problem(sim.bipeds[0], footprints, times[0], times[-1], window.LIVE._replace(samples=5, rough=0))
     if len(problem.time) != len(times) or np.abs(problem.time - times).max() > 1e-6:
         raise RuntimeError("the committed curve's phases are not those of the footprints")
-    best = controls.copy()
-    problem.fixed[0] = True
-    return total_cost(problem, controls), newton.minimise(problem, best, newton.TIGHT)[0]
+    return problem, controls
 
 
 def over_tight(sim: Simulation, curve: Curve, windows: list[Window]) -> float:
     """E of the committed curve over that of the same wander with windows that are solved tightly."""
-    return cost_of(sim, curve)[0] / cost_of(sim, walked_again(sim, windows, newton.TIGHT))[0]
+    tight = walked_again(sim, windows, newton.TIGHT)
+    return total_cost(*_walked(sim, curve)) / total_cost(*_walked(sim, tight))
 
 
 def over_global(sim: Simulation, curve: Curve) -> float:
     """E of the committed curve over the tightly solved optimum of the same footprints and start."""
-    committed, best = cost_of(sim, curve)
-    return committed / best
+    problem, controls = _walked(sim, curve)
+    best = controls.copy()
+    problem.fixed[0] = True
+    return total_cost(problem, controls) / newton.minimise(problem, best, newton.TIGHT)[0]
 
 
 def report() -> dict:
